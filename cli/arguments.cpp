@@ -115,6 +115,8 @@ class Parser {
             ->type_name("TIME");
         run_app_->add_option("--tolerance", run_.tolerance, "Take the cheapest setting for this error, by 'dmp trade'")
             ->type_name("ERROR");
+        run_app_->add_option("--trade", run_.trade, "Folder of the trade for --tolerance; default: that of the scene")
+            ->type_name("DIR");
         add_threads(*run_app_, run_.threads);
         add_vector_unit(*run_app_, run_.vector_unit);
         add_particles(*run_app_, run_.scene);
@@ -161,7 +163,9 @@ class Parser {
         trade_app_ = app_.add_subcommand("trade", "Costs and errors of a scene's spacings and quality levels");
         add_trade_options(*trade_app_, trade_);
         trade_app_->footer(examples(program_, {"trade cases/vein_valve --until \"1.2 s\" --budget \"20 min\"",
-                                               "trade my_scene.toml --measures flow --tolerance \"2 %\""}));
+                                               "trade my_scene.toml --measures flow --tolerance \"2 %\"",
+                                               "trade my_scene.toml --resume --reference out/finer",
+                                               "trade my_scene.toml --slurm --partition long --time \"8 h\""}));
     }
 
     void add_sweep() {
@@ -181,42 +185,24 @@ class Parser {
         sweep_app_->add_flag("--overwrite", sweep_.overwrite, "Remove the study that is in the folder")
             ->excludes(resume);
         sweep_app_->add_flag("--dry-run", sweep_.dry_run, "Only say which runs there are, and what they would take");
-        add_slurm();
-        sweep_app_->footer(
-            examples(program_, {"sweep cases/vein_valve", "sweep cases/vein_valve --dry-run",
-                                "sweep my_study.toml --jobs 4 --out out/soft", "sweep my_study.toml --resume",
-                                "sweep my_study.toml --slurm --partition long --time \"8 h\""}));
-    }
-
-    void add_slurm() {
-        SlurmOptions& options = sweep_.slurm_options;
-        sweep_app_->add_flag("--slurm", sweep_.slurm, "In jobs of Slurm, instead of on this machine")
+        add_slurm(*sweep_app_, sweep_.slurm, sweep_.slurm_options)
             ->excludes(sweep_app_
                            ->add_option("--run", sweep_.runs,
                                         "Do these runs only, by name or number: what a job of a queueing system does")
                            ->type_name("RUN"));
-        const auto add = [this](const char* name, std::string& value, const char* meaning, const char* type) {
-            sweep_app_->add_option(name, value, meaning)->type_name(type);
-        };
-        add("--partition", options.partition, "Of Slurm; default: as [slurm] of the study says, like those below",
-            "NAME");
-        add("--account", options.account, "That Slurm charges", "NAME");
-        add("--time", options.time, "Limit of a job, e.g. \"2 h\"; a run that takes longer goes on in another one",
-            "TIME");
-        add("--job-template", options.form, "A job script of your own (docs/studies.md)", "FILE");
-        for (const auto& [name, value, meaning] :
-             {std::tuple{"--ranks", &options.ranks, "MPI ranks of a run in a job"},
-              std::tuple{"--threads", &options.threads, "Threads of each rank of a run in a job"}})
-            sweep_app_->add_option(name, *value, meaning)->type_name("N")->check(CLI::Validator(at_least_one, ""));
         sweep_app_
             ->add_option_function<std::string>(
                 "--launcher",
-                [&options](const std::string& text) {
-                    options.launcher = text == "srun" ? study::Launcher::srun : study::Launcher::mpirun;
+                [this](const std::string& text) {
+                    sweep_.slurm_options.launcher = text == "srun" ? study::Launcher::srun : study::Launcher::mpirun;
                 },
                 "What starts the ranks of --run, mpirun or srun; default: mpirun")
             ->type_name("NAME")
             ->check(CLI::IsMember({"mpirun", "srun"}));
+        sweep_app_->footer(
+            examples(program_, {"sweep cases/vein_valve", "sweep cases/vein_valve --dry-run",
+                                "sweep my_study.toml --jobs 4 --out out/soft", "sweep my_study.toml --resume",
+                                "sweep my_study.toml --slurm --partition long --time \"8 h\""}));
     }
 
     void add_mesh() {

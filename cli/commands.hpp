@@ -37,6 +37,7 @@ struct RunCommand {
     std::string out;        ///< empty: out/NAME below the current folder
     std::string until;      ///< a time with its unit; empty: the scene's duration
     std::string tolerance;  ///< error to take the setting for from a trade of the scene; empty: as the scene says
+    std::string trade;      ///< folder of that trade; empty: that of the scene
     int threads = 0;        ///< 0: as the scene says
     VectorUnit vector_unit = VectorUnit::widest;
     std::optional<FrameFormat> frames;  ///< none: vtk, or hdf5 where dmp was built without VTK
@@ -90,13 +91,16 @@ struct TradeCommand {
     std::string out;                      ///< empty: out/NAME_trade below the current folder
     std::string until;                    ///< a time with its unit; empty: the scene's duration
     std::vector<std::string> measures;    ///< that are compared; empty: all
+    std::string reference;                ///< folder of a run to compare with; empty: the finest one
     std::string budget;                   ///< wall time with its unit; empty: any
     std::vector<std::string> tolerances;  ///< errors to advise for; empty: 1, 5 and 10 %
     int jobs = 0;                         ///< runs at a time; 0: as many as there are processors for
     bool dry_run = false;
     bool resume = false;     ///< go on with the trade in the folder
     bool overwrite = false;  ///< remove what an earlier trade has left in the folder
-    TypedCommand typed;      ///< for lines to paste
+    bool slurm = false;      ///< in jobs of Slurm
+    SlurmOptions slurm_options;
+    TypedCommand typed;  ///< for lines to paste
 };
 
 /// `dmp convert`: ParaView's files from the HDF5 frames of a run.

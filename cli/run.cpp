@@ -335,8 +335,13 @@ int run_as_one_of_many(const RunCommand& command, Prepared prepared, const Resou
 
 /// With the setting that a trade of the scene has found for the error that was asked for.
 RunCommand with_known_setting(RunCommand command, bool is_told) {
-    if (command.tolerance.empty()) return command;
-    const KnownSetting known = known_setting(command.scene, command.tolerance, command.typed.program());
+    if (command.tolerance.empty()) {
+        if (!command.trade.empty())
+            throw InputError("--trade is the folder to look for a setting in",
+                             "Say for which error: --tolerance \"5 %\".");
+        return command;
+    }
+    const KnownSetting known = known_setting(command.scene, command.tolerance, command.trade, command.typed.program());
     command.scene = known.scene;
     if (is_told) print(known.text);
     return command;

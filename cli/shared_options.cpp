@@ -108,6 +108,22 @@ void add_vector_unit(CLI::App& app, VectorUnit& unit) {
         ->check(CLI::Validator(a_vector_unit, ""));
 }
 
+CLI::Option* add_slurm(CLI::App& app, bool& slurm, SlurmOptions& options) {
+    CLI::Option* chosen = app.add_flag("--slurm", slurm, "In jobs of Slurm, instead of on this machine");
+    const auto add = [&app](const char* name, std::string& value, const char* meaning, const char* type) {
+        app.add_option(name, value, meaning)->type_name(type);
+    };
+    add("--partition", options.partition, "Of Slurm; default: as [slurm] of the study says, like those below", "NAME");
+    add("--account", options.account, "That Slurm charges", "NAME");
+    add("--time", options.time, "Limit of a job, e.g. \"2 h\"; a run that takes longer goes on in another one", "TIME");
+    add("--job-template", options.form, "A job script of your own (docs/studies.md)", "FILE");
+    for (const auto& [name, value, meaning] :
+         {std::tuple{"--ranks", &options.ranks, "MPI ranks of a run in a job"},
+          std::tuple{"--threads", &options.threads, "Threads of each rank of a run in a job"}})
+        app.add_option(name, *value, meaning)->type_name("N")->check(CLI::Validator(at_least_one, ""));
+    return chosen;
+}
+
 void add_trade_options(CLI::App& app, TradeCommand& trade) {
     app.add_option("SCENE", trade.scene, "A scene file, or a folder with a scene.toml")->required()->type_name("");
     add_set(app, trade.overrides);
@@ -116,8 +132,11 @@ void add_trade_options(CLI::App& app, TradeCommand& trade) {
         ->type_name("TIME");
     app.add_option("--measures", trade.measures, "Names of the measures that count; default: all of the scene")
         ->type_name("NAME");
-    app.add_option("--budget", trade.budget, "Wall time that the runs may take in all, e.g. \"30 min\"")
-        ->type_name("TIME");
+    app.add_option("--reference", trade.reference,
+                   "Compare with this finer run of the scene; default: with the finest of the trade")
+        ->type_name("DIR");
+    auto* budget = app.add_option("--budget", trade.budget, "Wall time that the runs may take in all, e.g. \"30 min\"")
+                       ->type_name("TIME");
     app.add_option("--tolerance", trade.tolerances, "Error to find a setting for; default: \"1 %\" \"5 %\" \"10 %\"")
         ->type_name("ERROR");
     app.add_option("--jobs", trade.jobs, "Runs at a time; default: as many as there are processors for")
@@ -126,6 +145,7 @@ void add_trade_options(CLI::App& app, TradeCommand& trade) {
     auto* resume = app.add_flag("--resume", trade.resume, "Go on with the trade in the folder");
     app.add_flag("--overwrite", trade.overwrite, "Remove the trade that is in the folder")->excludes(resume);
     app.add_flag("--dry-run", trade.dry_run, "Only say which settings there are, and what the cheapest would take");
+    add_slurm(app, trade.slurm, trade.slurm_options)->excludes(budget);
 }
 
 }  // namespace dmp::cli

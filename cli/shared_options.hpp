@@ -24,6 +24,9 @@ void add_frames(CLI::App& app, std::optional<FrameFormat>& format);
 void add_leave_out(CLI::App& app, study::LeftOut& left_out);
 void add_vector_unit(CLI::App& app, VectorUnit& unit);
 
+/// --slurm, which is returned, and what its jobs have.
+CLI::Option* add_slurm(CLI::App& app, bool& slurm, SlurmOptions& options);
+
 /// Those of `dmp trade`.
 void add_trade_options(CLI::App& app, TradeCommand& trade);
 

@@ -22,6 +22,8 @@ std::string bytes_text(double bytes);
 std::string quantity_text(double value, std::string_view unit);
 /// A relative difference: "+1.3 %", "-0.02 %".
 std::string percent_text(double fraction);
+/// A part of something: "3.2 %"; "-" where it is not known.
+std::string part_text(double part);
 
 /// Rows of as many cells each, below each other, indented by two.
 std::string table_text(const std::vector<std::vector<std::string>>& rows);

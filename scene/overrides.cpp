@@ -31,7 +31,25 @@ std::vector<std::string> split_at_dots(const std::string& path) {
 
 bool names_a_list(const std::string& word) { return std::ranges::find(item_lists(), word) != item_lists().end(); }
 
-TomlNode& find_item(TomlNode& document, const std::string& list, const std::string& name,
+/// Appends one that has no more than its name.
+TomlNode& new_item(TomlNode& document, const std::string& list, const std::string& name,
+                   const SourceLocation& location) {
+    const auto made = [&](TomlNode::Kind kind, const std::string& key) {
+        TomlNode node;
+        node.kind = kind;
+        node.key = key;
+        node.key_location = node.location = location;
+        return node;
+    };
+    TomlNode* items = document.child(list);
+    if (items == nullptr) items = &document.children.emplace_back(made(TomlNode::Kind::array, list));
+    TomlNode& item = items->children.emplace_back(made(TomlNode::Kind::table, ""));
+    TomlNode& its_name = item.children.emplace_back(parse_toml_value(toml_quoted(name), location));
+    its_name.key = "name";
+    return item;
+}
+
+TomlNode& find_item(TomlNode& document, const std::string& list, const std::string& name, const std::string& key,
                     const SourceLocation& location) {
     std::vector<std::string> names;
     if (TomlNode* items = document.child(list); items != nullptr && items->is_array()) {
@@ -42,6 +60,9 @@ TomlNode& find_item(TomlNode& document, const std::string& list, const std::stri
             names.push_back(its_name->text.text);
         }
     }
+    const TomlNode* items = document.child(list);
+    if (adds_entry(list, name, key, names) && (items == nullptr || items->is_array()))
+        return new_item(document, list, name, location);
     throw no_such_entry(list, name, names, location);
 }
 
@@ -85,6 +106,12 @@ std::vector<std::string> words_of_key(const std::string& key, const SourceLocati
     return words;
 }
 
+bool adds_entry(const std::string& list, const std::string& name, const std::string& key,
+                const std::vector<std::string>& names) {
+    return list == "measure" && key == "kind" && std::ranges::find(names, name) == names.end() &&
+           nearest_name(name, names).empty();
+}
+
 InputError no_such_entry(const std::string& list, const std::string& name, const std::vector<std::string>& names,
                          const SourceLocation& location) {
     const auto nearest = nearest_name(name, names);
@@ -107,7 +134,7 @@ void apply_overrides(TomlNode& document, std::span<const std::string> overrides)
 
         TomlNode* table = &document;
         if (names_a_list(words[0])) {
-            table = &find_item(document, words[0], words[1], location);
+            table = &find_item(document, words[0], words[1], words[2], location);
         } else {
             for (std::size_t i = 0; i + 1 < words.size(); ++i) table = &table_in(*table, words[i], location);
         }

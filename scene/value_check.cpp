@@ -32,6 +32,10 @@ Read read_of_item(const std::vector<Item>& items, const std::vector<Key<Item>>& 
     if (item == items.end()) {
         std::vector<std::string> names;
         for (const Item& each : items) names.push_back(*each.name);
+        if (adds_entry(words[0], words[1], words[2], names))
+            for (const auto& key : keys)
+                if (key.facts.name() == words[2])
+                    return read_into_copy(Item{}, key, words[0] + "." + words[1] + "." + words[2]);
         throw no_such_entry(words[0], words[1], names, location);
     }
     for (const auto& key : keys)

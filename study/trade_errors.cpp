@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -54,16 +54,15 @@ double error_at_low_order(const std::vector<Distance>& distances, double finest)
 
 class Errors {
   public:
-    Errors(const TradeSettings& settings, const std::vector<TradeRun>& runs, const std::vector<std::size_t>& vector_of)
-        : settings_(settings), runs_(runs), vector_of_(vector_of) {}
+    Errors(const TradeSettings& settings, const std::vector<TradeRun>& runs, const std::vector<TradeColumn>& columns)
+        : settings_(settings), runs_(runs), columns_(columns) {}
 
     TradeErrors all() {
         TradeErrors errors;
-        errors.reference = reference_ = finest().value();
-        const std::size_t columns = runs_.front().measures.size();
+        errors.reference = reference_ = given().value_or(*finest());
         errors.runs.resize(runs_.size());
-        for (std::size_t c = 0; c < columns; ++c) {
-            for (std::size_t r = 0; r < runs_.size(); ++r) errors.runs[r].distance.push_back(between(r, reference_, c));
+        for (std::size_t c = 0; c < columns_.size(); ++c) {
+            for (std::size_t r = 0; r < runs_.size(); ++r) errors.runs[r].distance.push_back(from_reference(r, c));
             errors.columns.push_back(trust_of(c, errors.runs));
         }
         for (RunError& each : errors.runs) add_largest(each, errors.columns);
@@ -72,33 +71,53 @@ class Errors {
 
   private:
     [[nodiscard]] const TradeSetting& setting(std::size_t run) const { return settings_.settings[runs_[run].setting]; }
+    [[nodiscard]] bool is_candidate(std::size_t run) const { return setting(run).role == TradeRole::candidate; }
 
-    [[nodiscard]] SeriesError between(std::size_t run, std::size_t other, std::size_t column) const {
+    /// `series_of`: of the other one, by column.
+    template <class SeriesOf>
+    [[nodiscard]] SeriesError between(std::size_t run, const SeriesOf& series_of, std::size_t column) const {
         SeriesSize size;
-        for (std::size_t c = 0; c < vector_of_.size(); ++c)
-            if (vector_of_[c] == vector_of_[column]) size = size.with(size_of(runs_[other].measures[c]));
-        return error_of(runs_[run].measures[column], runs_[other].measures[column], size);
+        for (std::size_t c = 0; c < columns_.size(); ++c)
+            if (columns_[c].vector == columns_[column].vector) size = size.with(size_of(series_of(c)));
+        return error_of(runs_[run].measures[column], series_of(column), size);
+    }
+    [[nodiscard]] SeriesError between(std::size_t run, std::size_t other, std::size_t column) const {
+        return between(
+            run, [&](std::size_t c) -> const TimeSeries& { return runs_[other].measures[c]; }, column);
+    }
+    [[nodiscard]] SeriesError from_reference(std::size_t run, std::size_t column) const {
+        if (!columns_[column].exact) return between(run, reference_, column);
+        const auto exact = [&](std::size_t c) -> const TimeSeries& {
+            return columns_[c].exact ? *columns_[c].exact : runs_[reference_].measures[c];
+        };
+        return between(run, exact, column);
     }
 
-    /// The one with the smallest spacing, then of the highest quality; none where there is no other than `but`.
+    [[nodiscard]] std::optional<std::size_t> given() const {
+        for (std::size_t run = 0; run < runs_.size(); ++run)
+            if (setting(run).role == TradeRole::reference) return run;
+        return {};
+    }
+
+    /// The candidate with the smallest spacing, then of the highest quality; none where there is no other than `but`.
     [[nodiscard]] std::optional<std::size_t> finest(std::optional<std::size_t> but = {}) const {
-        const auto rank = [&](std::size_t run) {
-            const TradeSetting& each = setting(run);
-            return std::tuple(each.is_repeat, each.spacing, -static_cast<int>(each.quality));
-        };
         std::optional<std::size_t> best;
         for (std::size_t run = 0; run < runs_.size(); ++run)
-            if (run != but && (!best || rank(run) < rank(*best))) best = run;
+            if (is_candidate(run) && run != but && (!best || rank(run) < rank(*best))) best = run;
         return best;
+    }
+    /// Lower is finer.
+    [[nodiscard]] std::pair<double, int> rank(std::size_t run) const {
+        return {setting(run).spacing, -static_cast<int>(setting(run).quality)};
     }
 
     [[nodiscard]] double scatter_of(std::size_t column) const {
         double scatter = no_number;
         for (std::size_t r = 0; r < runs_.size(); ++r) {
-            if (!setting(r).is_repeat) continue;
+            if (setting(r).role != TradeRole::repeat) continue;
             for (std::size_t other = 0; other < runs_.size(); ++other) {
                 const TradeSetting& repeated = setting(other);
-                if (repeated.is_repeat || repeated.quality != setting(r).quality ||
+                if (!is_candidate(other) || repeated.quality != setting(r).quality ||
                     std::abs(repeated.spacing / setting(r).spacing - 1) > 0.01)
                     continue;
                 scatter = std::fmax(scatter, between(r, other, column).largest());
@@ -107,13 +126,22 @@ class Errors {
         return scatter;
     }
 
-    /// Of the reference's level, coarsest first, without the reference.
-    [[nodiscard]] std::vector<Distance> ladder(std::size_t column, const std::vector<RunError>& errors) const {
+    /// The level whose runs show the convergence: the reference's, or, where none of it has been run, the finest run's.
+    [[nodiscard]] Quality level() const {
+        const Quality own = setting(reference_).quality;
+        for (std::size_t run = 0; run < runs_.size(); ++run)
+            if (is_candidate(run) && setting(run).quality == own) return own;
+        return setting(*finest()).quality;
+    }
+
+    /// Of that level, coarsest first; those whose spacing is larger than that of the reference (`finest_spacing`).
+    [[nodiscard]] std::vector<Distance> ladder(std::size_t column, const std::vector<RunError>& errors,
+                                               double finest_spacing) const {
         std::vector<Distance> distances;
         for (std::size_t r = 0; r < runs_.size(); ++r) {
             const TradeSetting& each = setting(r);
             const double distance = errors[r].distance[column].largest();
-            if (r == reference_ || each.is_repeat || each.quality != setting(reference_).quality || each.spacing == 0 ||
+            if (!is_candidate(r) || each.quality != level() || each.spacing <= finest_spacing * (1 + 1e-6) ||
                 std::isnan(distance))
                 continue;
             distances.push_back({each.spacing, distance});
@@ -129,59 +157,61 @@ class Errors {
         std::optional<std::pair<std::size_t, std::size_t>> best;
         for (std::size_t low = 0; low < runs_.size(); ++low)
             for (std::size_t high = 0; high < runs_.size(); ++high) {
-                if (setting(low).is_repeat || setting(high).is_repeat || setting(low).quality != own ||
+                if (!is_candidate(low) || !is_candidate(high) || setting(low).quality != own ||
                     setting(high).quality <= own || setting(low).spacing != setting(high).spacing)
                     continue;
-                const auto rank = [&](std::size_t run) {
-                    return std::pair(setting(run).spacing, -static_cast<int>(setting(run).quality));
-                };
                 if (!best || rank(high) < rank(best->second)) best = {low, high};
             }
         return best ? between(best->first, best->second, column).largest() : 0;
     }
 
     [[nodiscard]] ColumnTrust trust_of(std::size_t column, const std::vector<RunError>& errors) const {
-        if (std::isnan(errors[reference_].distance[column].largest())) {
-            ColumnTrust trust;
+        ColumnTrust trust;
+        trust.is_exact = columns_[column].exact.has_value();
+        const std::size_t finest_run = trust.is_exact ? *finest() : reference_;
+        if (std::isnan(errors[finest_run].distance[column].largest())) {
             trust.has_size = false;
             trust.why_not = "zero, or without values, in the reference";
             return trust;
         }
-        ColumnTrust trust = trust_of_spacing(column, errors);
+        trust.scatter = scatter_of(column);
+        const double spacing = trust.is_exact ? 0 : setting(reference_).spacing;
+        const std::vector<Distance> distances = ladder(column, errors, spacing);
+        add_order(trust, distances, spacing);
+        if (trust.is_exact) {
+            trust.reference = 0;
+            return trust;
+        }
+        if (distances.empty()) {
+            if (const auto next = finest(reference_)) trust.reference = errors[*next].distance[column].largest();
+        } else if (std::isnan(trust.order)) {
+            trust.reference = error_at_low_order(distances, spacing);
+        } else {
+            const double own = std::pow(spacing, trust.order), next = std::pow(distances.back().spacing, trust.order);
+            trust.reference = distances.back().distance * own / (next - own);
+        }
         trust.reference += error_of_level(column);
         return trust;
     }
 
-    [[nodiscard]] ColumnTrust trust_of_spacing(std::size_t column, const std::vector<RunError>& errors) const {
-        ColumnTrust trust;
-        trust.scatter = scatter_of(column);
-        const double spacing = setting(reference_).spacing;
-        const std::vector<Distance> distances = ladder(column, errors);
+    static void add_order(ColumnTrust& trust, const std::vector<Distance>& distances, double spacing) {
         if (distances.empty()) {
-            if (const auto next = finest(reference_)) trust.reference = errors[*next].distance[column].largest();
             trust.why_not = "no other spacing has been run at its level";
-            return trust;
+            return;
         }
-        trust.reference = error_at_low_order(distances, spacing);
         if (distances.size() < 3) {
             trust.why_not = "there are fewer than four spacings";
-            return trust;
+            return;
         }
         const auto last = distances.end();
         const auto coarse = order_through(*(last - 3), *(last - 2), spacing);
         const auto fine = order_through(*(last - 2), *(last - 1), spacing);
-        if (!coarse || !fine) {
+        if (!coarse || !fine)
             trust.why_not = fmt::format("it does not fall with an order of {} to {}", lowest_order, highest_order);
-            return trust;
-        }
-        if (std::abs(*coarse - *fine) > most_apart) {
+        else if (std::abs(*coarse - *fine) > most_apart)
             trust.why_not = fmt::format("two sets of spacings have the orders {:.1f} and {:.1f}", *coarse, *fine);
-            return trust;
-        }
-        trust.order = *fine;
-        const double own = std::pow(spacing, *fine), next = std::pow((last - 1)->spacing, *fine);
-        trust.reference = (last - 1)->distance * own / (next - own);
-        return trust;
+        else
+            trust.order = *fine;
     }
 
     static void add_largest(RunError& run, const std::vector<ColumnTrust>& columns) {
@@ -202,15 +232,15 @@ class Errors {
 
     const TradeSettings& settings_;
     const std::vector<TradeRun>& runs_;
-    const std::vector<std::size_t>& vector_of_;
+    const std::vector<TradeColumn>& columns_;
     std::size_t reference_ = 0;
 };
 
 }  // namespace
 
 TradeErrors trade_errors(const TradeSettings& settings, const std::vector<TradeRun>& runs,
-                         const std::vector<std::size_t>& vector_of) {
-    return Errors(settings, runs, vector_of).all();
+                         const std::vector<TradeColumn>& columns) {
+    return Errors(settings, runs, columns).all();
 }
 
 }  // namespace dmp::study

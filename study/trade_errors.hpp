@@ -20,6 +20,12 @@ struct TradeRun {
     std::vector<TimeSeries> measures;  ///< one for each column of measures
 };
 
+/// A column of measures.
+struct TradeColumn {
+    std::size_t vector = 0;           ///< a number of the vector that it is a component of; of its own, else
+    std::optional<TimeSeries> exact;  ///< what it should be, where that is known
+};
+
 /// How well one column of measures is known.
 struct ColumnTrust {
     double scatter = no_number;    ///< largest error of the repeats against the run that they repeat; NaN: not known
@@ -27,6 +33,7 @@ struct ColumnTrust {
     double order = no_number;      ///< observed, of the error; NaN: `why_not`
     std::string why_not;           ///< no order was observed
     bool has_size = true;          ///< false: it is zero, or without values, in the reference
+    bool is_exact = false;         ///< its reference is what it should be
 
     /// Not where it has no size, or scatters by more than half of it: it is zero, or chance.
     [[nodiscard]] bool counts() const { return has_size && !(scatter > 0.5); }
@@ -40,7 +47,7 @@ struct RunError {
 };
 
 struct TradeErrors {
-    std::size_t reference = 0;         ///< index of the run that all are compared with: the finest one
+    std::size_t reference = 0;         ///< index of the run that all are compared with: the one given, or the finest
     std::vector<ColumnTrust> columns;  ///< one for each column
     std::vector<RunError> runs;        ///< one for each run
 };
@@ -53,11 +60,12 @@ struct TradeErrors {
 /// the middle and the smallest one, in 0.5 to 4, and both within 0.75 of each other. Where that is not so, p is taken
 /// as 1, or as 0.5 where the distances fall more slowly, and the run next to twice the spacing; where none of its level
 /// has another spacing, the distance of the next finest run. Where a higher level has been run at all, the distance
-/// between both levels at the finest spacing that both have comes on top.
+/// between both levels at the finest spacing that both have comes on top. Where it is known what a column should be,
+/// that is its reference, without an error of its own.
 ///
-/// `runs`: two or more, not only repeats. `vector_of`: for each column a number of its vector; those of the same one
-/// are its components, and their distances are parts of its size.
+/// `runs`: two or more candidates, at most one reference. `columns`: for each column of measures; the distances of the
+/// components of a vector are parts of its size.
 [[nodiscard]] TradeErrors trade_errors(const TradeSettings& settings, const std::vector<TradeRun>& runs,
-                                       const std::vector<std::size_t>& vector_of);
+                                       const std::vector<TradeColumn>& columns);
 
 }  // namespace dmp::study

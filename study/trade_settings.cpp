@@ -123,7 +123,7 @@ class Rows {
                 for (const auto& [quality, at_level] : levels_) add(factor, quality, 1);
             for (std::size_t k = 0; k < repeat_spacings.size(); ++k) {
                 add(repeat_spacings[k], own_quality_, has_steps_ ? repeat_steps[k] : 1);
-                result_.settings.back().is_repeat = true;
+                result_.settings.back().role = TradeRole::repeat;
             }
         } else {
             for (const auto& [quality, at_level] : levels_) add(1, quality, 1);
@@ -158,10 +158,14 @@ class Rows {
 
 std::vector<std::string> TradeSettings::overrides(const TradeSetting& setting) const {
     std::vector<std::string> all;
+    if (setting.role == TradeRole::reference) return all;
     for (std::size_t k = 0; k < keys.size(); ++k)
-        if (keys[k] != step_key || setting.is_repeat) all.push_back(assignment(keys[k], setting.values[k]));
+        if (keys[k] != step_key || setting.role == TradeRole::repeat)
+            all.push_back(assignment(keys[k], setting.values[k]));
     return all;
 }
+
+std::string spacing_text(double length) { return length_text(length, 4); }
 
 TradeSettings trade_settings(const TradeScene& scene) { return Rows(scene).settings(); }
 
@@ -203,7 +207,7 @@ std::string trade_study(const TradeScene& scene, const TradeSettings& settings, 
     }
     for (const auto& [key, value] : common_values(scene, settings)) vary(key, std::vector(runs, value));
     // For the page's plots: numbers by which people see the runs converge.
-    for (const Measure& measure : read.measures) {
+    for (const Measure& measure : read_scene(scene.path).measures) {
         if (columns_of(*measure.kind).count != MeasureColumns::Count::one) continue;
         for (const char* reduction : {"mean", "maximum"})
             text += fmt::format("\n[[result]]\nname = {}\nmeasure = {}\nreduce = \"{}\"\n",

@@ -10,13 +10,19 @@
 
 namespace dmp::study {
 
+/// What the run of a setting is for.
+enum class TradeRole {
+    candidate,  ///< it may be advised
+    repeat,     ///< of the scene's own setting, for the scatter: spacing and step are a little different
+    reference   ///< given by the user, to compare all others with
+};
+
 /// A setting of a scene's resolution and quality, whose cost and error a trade measures.
 struct TradeSetting {
     double spacing = 0;        ///< of the particles [m]; 0: the scene has none
     std::string spacing_text;  ///< "0.1414 mm"; "": the scene has none
     Quality quality = Quality::standard;
-    bool is_repeat =
-        false;        ///< of the scene's own setting, only for the scatter: spacing and step are a little different
+    TradeRole role = TradeRole::candidate;
     double cost = 1;  ///< expected, as a multiple of that of the scene's own spacing with quality standard
     std::vector<std::string> values;  ///< of the trade's keys, as TOML
 };
@@ -27,7 +33,8 @@ struct TradeSettings {
     std::vector<std::string> keys;       ///< that differ, as --set names them
     std::vector<TradeSetting> settings;  ///< cheapest first
 
-    /// What makes a run of the scene this setting, as --set takes it; without what its quality sets.
+    /// What makes a run of the scene this setting, as --set takes it; without what its quality sets. Nothing for a
+    /// reference.
     [[nodiscard]] std::vector<std::string> overrides(const TradeSetting& setting) const;
 };
 
@@ -36,6 +43,9 @@ struct TradeScene {
     std::string path;                    ///< a scene file, or a folder with a scene.toml
     std::vector<std::string> overrides;  ///< of the scene, "key=value", as given to --set
 };
+
+/// A length with its unit: "0.1414 mm".
+[[nodiscard]] std::string spacing_text(double length);
 
 /// Throws InputError where the scene cannot be read.
 [[nodiscard]] TradeSettings trade_settings(const TradeScene& scene);

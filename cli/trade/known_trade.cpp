@@ -5,19 +5,18 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
-#include "base/number_text.hpp"
 #include "base/shell_word.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/scene_name.hpp"
 #include "cli/sweep/sweep_folder.hpp"
 #include "cli/text.hpp"
 #include "cli/trade/trade_outcome.hpp"
+#include "cli/version.hpp"
 #include "report/json_value.hpp"
 #include "scene/read_scene.hpp"
 #include "study/front.hpp"
@@ -31,11 +30,13 @@ namespace {
 namespace fs = std::filesystem;
 using report::JsonValue;
 
-/// The trade.json of a scene; none where there is none.
-std::optional<fs::path> trade_of_scene(const Scene& scene) {
-    for (const fs::path& folder : {output_folder("", scene_name(scene) + "_trade"), fs::path(scene.directory)})
-        if (const fs::path file = folder / trade_file_name; fs::is_regular_file(file)) return file;
-    return {};
+/// Where a trade of a scene may lie.
+std::vector<fs::path> trades_of_scene(const Scene& scene, const std::string& folder) {
+    if (!folder.empty()) return {fs::path(folder) / trade_file_name};
+    std::vector<fs::path> files{default_trade_folder(scene) / trade_file_name,
+                                fs::path(scene.directory) / trade_file_name};
+    std::erase_if(files, [](const fs::path& file) { return !fs::is_regular_file(file); });
+    return files;
 }
 
 std::string how_to_make_one(const SceneChoice& scene, const std::string& program) {
@@ -53,7 +54,7 @@ struct KnownSettings {
 KnownSettings settings_in(const JsonValue& trade) {
     KnownSettings known;
     for (const JsonValue& setting : trade["settings"].elements()) {
-        if (setting["is_repeat"].truth()) continue;
+        if (setting["is_repeat"].truth() || setting["is_reference_given"].truth()) continue;
         known.settings.push_back(setting);
         known.costs.push_back({setting["processor_s"].number(), setting["error"].number()});
     }
@@ -66,7 +67,27 @@ double smallest_error(const KnownSettings& known) {
     return best;
 }
 
-std::string percent(double part) { return number_text(100 * part, 2) + " %"; }
+/// The first file that is a trade of this scene. Throws InputError where none is; of the first one, then.
+nlohmann::ordered_json fitting_trade(const std::vector<fs::path>& files, const SceneChoice& scene,
+                                     const std::string& program, fs::path& found) {
+    if (files.empty())
+        throw InputError({"--tolerance", 0, 0}, "there is no trade of this scene", how_to_make_one(scene, program));
+    const std::string identity = study::trade_identity({scene.path, scene.overrides});
+    for (const fs::path& file : files) {
+        nlohmann::ordered_json json = report::read_json_object(file);
+        if (JsonValue(&json, file)["identity"].text() != identity) continue;
+        found = file;
+        return json;
+    }
+    throw InputError({files.front().string(), 0, 0}, "it is of another scene, or of this one with other values",
+                     how_to_make_one(scene, program));
+}
+
+/// Where another version has made it, whose costs and errors may be others.
+std::string version_text(const JsonValue& trade) {
+    const std::string made_by = trade["version"].text();
+    return made_by == build_facts().version ? "" : "The trade was made by dmp " + made_by + ".\n";
+}
 
 }  // namespace
 
@@ -82,33 +103,30 @@ double tolerance_of(const std::string& text) {
     return part;
 }
 
-KnownSetting known_setting(const SceneChoice& scene, const std::string& tolerance, const std::string& program) {
+KnownSetting known_setting(const SceneChoice& scene, const std::string& tolerance, const std::string& folder,
+                           const std::string& program) {
     const double largest = tolerance_of(tolerance);
-    const auto file = trade_of_scene(read_scene(scene.path, scene.overrides));
-    if (!file)
-        throw InputError({"--tolerance", 0, 0}, "there is no trade of this scene", how_to_make_one(scene, program));
-    const JsonValue::Json json = report::read_json_object(*file);
-    const JsonValue trade(&json, *file);
-    const SourceLocation where{file->string(), 0, 0};
-    if (trade["identity"].text() != study::trade_identity({scene.path, scene.overrides}))
-        throw InputError(where, "it is of another scene, or of this one with other values",
-                         how_to_make_one(scene, program));
+    fs::path file;
+    const JsonValue::Json json =
+        fitting_trade(trades_of_scene(read_scene(scene.path, scene.overrides), folder), scene, program, file);
+    const JsonValue trade(&json, file);
     const KnownSettings all = settings_in(trade);
     const auto index = study::cheapest_within(all.costs, largest);
     if (!index)
-        throw InputError(where,
-                         fmt::format("no setting has an error of at most {}: the best was {}", percent(largest),
-                                     percent(smallest_error(all))),
+        throw InputError({file.string(), 0, 0},
+                         fmt::format("no setting has an error of at most {}: the best was {}", part_text(largest),
+                                     part_text(smallest_error(all))),
                          "Choose a smaller particles.spacing and make a new trade, or take what can be reached.");
     const JsonValue& found = all.settings[*index];
-    KnownSetting known{scene, "For an error of " + percent(largest) + ", by " + file->string() + ":"};
+    KnownSetting known{scene, "For an error of " + part_text(largest) + ", by " + file.string() + ":"};
     for (const JsonValue& each : found["set"].elements()) {
         known.scene.overrides.push_back(each.text());
         known.text += " " + each.text();
     }
     const double part = trade["duration_s"].number() / trade["simulated_s"].number();
-    known.text += fmt::format(" (error {}, about {} of one processor)\n", percent(found["error"].number()),
-                              duration_text(found["processor_s"].number() * part));
+    known.text += fmt::format(" (error {}, about {} of one processor)\n", part_text(found["error"].number()),
+                              duration_text(found["processor_s"].number() * part)) +
+                  version_text(trade);
     return known;
 }
 

@@ -17,9 +17,9 @@ struct KnownSetting {
     std::string text;   ///< what is to be told of it
 };
 
-/// Looks into the folder that `dmp trade` writes by default, then for a trade.json beside the scene. Throws InputError
-/// where there is none, or it is of another scene or other values, or no setting reaches the error.
+/// `folder`: of the trade; empty: the one that `dmp trade` writes by default, or that of the scene with a trade.json.
+/// Throws InputError where there is none, or it is of another scene or other values, or no setting reaches the error.
 [[nodiscard]] KnownSetting known_setting(const SceneChoice& scene, const std::string& tolerance,
-                                         const std::string& program);
+                                         const std::string& folder, const std::string& program);
 
 }  // namespace dmp::cli

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include "cli/prepare.hpp"
 #include "cli/scene_name.hpp"
 #include "cli/stop_signals.hpp"
+#include "cli/sweep/slurm_sweep.hpp"
 #include "cli/sweep/sweep_dry_run.hpp"
 #include "cli/sweep/sweep_folder.hpp"
 #include "cli/sweep/sweep_page.hpp"
@@ -22,12 +24,10 @@
 #include "cli/sweep/sweep_runs.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
-#include "cli/trade/known_trade.hpp"
 #include "cli/trade/trade_budget.hpp"
 #include "cli/trade/trade_outcome.hpp"
+#include "cli/trade/trade_request.hpp"
 #include "cli/uses.hpp"
-#include "scene/read_scene.hpp"
-#include "scene/toml_node.hpp"
 #include "study/read_study.hpp"
 
 namespace dmp::cli {
@@ -36,67 +36,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A time that is not 0.
-double time_of(const std::string& text, const char* option) {
-    const SourceLocation location{option, 0, 0};
-    const double time = read_quantity(text, "s", location);
-    if (!(time > 0)) throw InputError(location, "'" + text + "' is no time above 0", "Give one such as \"20 min\".");
-    return time;
-}
-
-std::vector<double> tolerances_of(const TradeCommand& command) {
-    if (command.tolerances.empty()) return {0.01, 0.05, 0.1};
-    std::vector<double> all;
-    for (const std::string& text : command.tolerances) all.push_back(tolerance_of(text));
-    std::ranges::sort(all);
-    return all;
-}
-
-/// A trade as it was asked for.
-struct Trade {
-    study::TradeScene scene;
-    Scene read;           ///< with what is set in all runs
-    double duration = 0;  ///< of the scene without --until [s]
-    std::optional<double> budget;
-    std::vector<double> tolerances;
-    study::TradeSettings settings;
-};
-
-void check_measures(const Trade& trade, const std::vector<std::string>& asked) {
-    std::vector<std::string> names;
-    for (const Measure& measure : trade.read.measures) names.push_back(*measure.name);
-    for (const std::string& name : asked)
-        if (std::ranges::find(names, name) == names.end())
-            throw InputError({"--measures", 0, 0}, "the scene has no measure '" + name + "'",
-                             "Its measures are " + quoted_list(names) + ".");
-}
-
-Trade trade_of(const TradeCommand& command) {
-    Trade trade;
-    trade.scene = {command.scene, command.overrides};
-    trade.tolerances = tolerances_of(command);
-    if (!command.budget.empty()) trade.budget = time_of(command.budget, "--budget");
-    const Scene scene = read_scene(command.scene, command.overrides);
-    trade.duration = *scene.run.duration;
-    if (scene.measures.empty())
-        throw InputError({scene.file, 0, 0}, "the scene measures nothing by which its runs could be compared",
-                         "Add what matters to you (docs/scene/measure.md), at least:\n  [[measure]]\n"
-                         "  name = \"kinetic_energy\"\n  kind = \"kinetic_energy\"");
-    if (!command.until.empty())
-        trade.scene.overrides.push_back(
-            fmt::format("run.duration=\"{} s\"", exact_text(time_of(command.until, "--until"))));
-    trade.read = read_scene(command.scene, trade.scene.overrides);
-    check_measures(trade, command.measures);
-    trade.settings = study::trade_settings(trade.scene);
-    if (trade.settings.settings.size() < 2)
-        throw InputError({scene.file, 0, 0},
-                         "there is nothing to trade: its quality levels are the same, and it has no spacing",
-                         "Vary a key of it with 'dmp sweep' (docs/studies.md).");
-    return trade;
-}
-
 /// Throws where the budget has ended before two settings could be compared.
-void need_enough_budget(const TradeOutcome& outcome, const TradeBudget& budget, const Trade& trade,
+void need_enough_budget(const TradeOutcome& outcome, const TradeBudget& budget, const TradeRequest& trade,
                         const TypedCommand& typed) {
     if (outcome.is_known()) return;
     std::string would = "not even one run has ended within it";
@@ -110,7 +51,7 @@ void need_enough_budget(const TradeOutcome& outcome, const TradeBudget& budget, 
                      "Give more, or a shorter run with --until, and go on:\n  " + typed.with("--resume"));
 }
 
-std::string left_text(const Trade& trade, const SweepCounts& counts, const TradeBudget& budget,
+std::string left_text(const TradeRequest& trade, const SweepCounts& counts, const TradeBudget& budget,
                       const TradeOutcome& outcome, const TypedCommand& typed) {
     std::vector<std::size_t> left;
     for (std::size_t index = 0; index < outcome.settings.settings.size(); ++index)
@@ -124,13 +65,14 @@ std::string left_text(const Trade& trade, const SweepCounts& counts, const Trade
                        typed.with("--resume"));
 }
 
-/// Tells and writes what is known when no more is run now. Returns the exit code.
-int close(const TradeCommand& command, const Trade& trade, const SweepRows& rows, const TradeBudget& budget,
-          const StopSignals& signals) {
+/// Tells and writes what is known when no more is run now. `left_in_queue`: what there is to say of jobs that go on.
+/// Returns the exit code.
+int close(const TradeCommand& command, const TradeRequest& trade, const SweepRows& rows, const TradeBudget& budget,
+          const StopSignals& signals, const std::string& left_in_queue) {
     const fs::path& folder = rows.folder().path();
-    TradeOutcome outcome = trade_outcome(folder, trade.read, trade.settings, rows.points(), command.measures);
+    TradeOutcome outcome = trade_outcome(folder, trade.read, trade.settings, rows.points(), trade.comparison);
     outcome.scene_path = command.scene;
-    outcome.identity = study::trade_identity(trade.scene);
+    outcome.identity = trade.identity;
     outcome.common = command.overrides;
     outcome.until = *trade.read.run.duration;
     outcome.duration = trade.duration;
@@ -145,8 +87,8 @@ int close(const TradeCommand& command, const Trade& trade, const SweepRows& rows
     list.add((folder / "runs").string(), "a folder for each run");
     print(Style(Stream::output).strong("Results") + "\n" + list.text());
     if (signals.flag()) {
-        print(fmt::format("\nStopped before its end, by {}. Go on with the same command and --resume.\n  {}\n",
-                          signals.name(), command.typed.with("--resume")));
+        print(fmt::format("\nStopped before its end, by {}. Go on with the same command and --resume.\n  {}\n{}",
+                          signals.name(), command.typed.with("--resume"), left_in_queue));
         return signals.exit_code();
     }
     const SweepCounts& counts = rows.counts();
@@ -160,20 +102,46 @@ int close(const TradeCommand& command, const Trade& trade, const SweepRows& rows
     return exit_done;
 }
 
-std::string settings_text(const study::TradeSettings& settings) {
-    std::vector<std::vector<std::string>> rows{{"spacing", "quality", "cost", ""}};
-    for (const study::TradeSetting& each : settings.settings)
-        rows.push_back({each.spacing_text.empty() ? "-" : each.spacing_text, to_string(each.quality),
-                        fmt::format("{:.2g}", each.cost), each.is_repeat ? "repeat, for the scatter" : ""});
-    return table_text(rows);
+std::string threads_text(int threads) { return count_text(static_cast<std::size_t>(threads), "thread"); }
+
+/// On this machine.
+int run_here(const TradeCommand& command, const TradeRequest& trade, SweepRows& rows, SweepSettings settings) {
+    const StopSignals signals;
+    const TradeBudget budget(trade.budget, trade.settings, rows.points(), rows.folder().path(), settings.jobs,
+                             settings.threads);
+    settings.may_start = [&](std::size_t index) { return budget.may_start(index); };
+    settings.stop_at = budget.end();
+    SweepRuns(rows, settings).run(signals);
+    return close(command, trade, rows, budget, signals, "");
+}
+
+int run_in_jobs(const TradeCommand& command, const TradeRequest& trade, SweepRows& rows, SlurmQueue queue,
+                const SlurmSettings& settings) {
+    const StopSignals signals;
+    SlurmRuns runs(rows, std::move(queue), settings);
+    runs.run(signals);
+    const TradeBudget none({}, trade.settings, rows.points(), rows.folder().path(), 1, 1);
+    return close(command, trade, rows, none, signals, runs.left_text());
+}
+
+/// What `dmp sweep` would be told of the study in the trade's folder.
+SweepCommand as_sweep(const TradeCommand& command, const fs::path& out) {
+    SweepCommand sweep;
+    sweep.study = (out / study_copy_name).string();
+    sweep.out = out.string();
+    sweep.jobs = command.jobs;
+    sweep.resume = command.resume;
+    sweep.slurm = command.slurm;
+    sweep.slurm_options = command.slurm_options;
+    return sweep;
 }
 
 }  // namespace
 
 int execute(const TradeCommand& command) {
     refuse_several_ranks();
-    const Trade trade = trade_of(command);
-    const fs::path out = output_folder(command.out, scene_name(trade.read) + "_trade");
+    const TradeRequest trade = trade_request(command);
+    const fs::path out = command.out.empty() ? default_trade_folder(trade.read) : output_folder(command.out, "");
     const study::Study study =
         study::parse_study(study::trade_study(trade.scene, trade.settings, out), (out / study_copy_name).string());
     const study::Points points(study);
@@ -184,28 +152,39 @@ int execute(const TradeCommand& command) {
     settings.threads = std::max(1, *trade.read.run.threads);
     settings.jobs = runs_at_a_time(command.jobs, settings.threads);
     settings.left_out = study.left_out;
+    const SlurmSettings slurm = slurm_settings(as_sweep(command, out), study, out);  // checks its options
     print(Style(Stream::output).strong(scene_name(trade.read)) + ": " + count_text(all.size(), "setting") + " of " +
           study.scene.file + "\n");
+    if (!trade.added.empty())
+        print("The scene measures nothing; its runs are compared by " + quoted_list(trade.added) + ".\n");
     if (command.dry_run) {
         print(settings_text(trade.settings));
+        if (command.slurm) print(script_text(slurm, study, all.size()));
         flush_output();
         print(Style(Stream::output).strong("Dry run") + "\n" +
               cost_text(study, points, {0}, settings.jobs, settings.threads, settings.left_out) +
               "Nothing was written.\n");
         return exit_done;
     }
+    if (command.overwrite) need_no_queued_jobs(out);
+    // A trade whose jobs are in the queue goes on there.
+    const bool in_jobs = command.slurm || (command.resume && has_queued_jobs(out));
+    if (in_jobs && trade.budget)
+        throw InputError({"--budget", 0, 0}, "the jobs of this trade are in the queue of Slurm, which has no budget",
+                         "Leave it out; --time is the limit of a job.");
+    std::optional<SlurmQueue> queue;  // that there is one, before anything is written
+    if (in_jobs) queue.emplace();
     const SweepFolder folder(out, {study, points.size(), command.resume, command.overwrite}, command.typed);
-    print(folder.note() + fmt::format("Writing to {}, {} at a time on {} each\n\n", folder.path().string(),
-                                      settings.jobs, count_text(static_cast<std::size_t>(settings.threads), "thread")));
+    print(folder.note() + fmt::format("Writing to {}, ", folder.path().string()) +
+          (in_jobs ? fmt::format("in jobs of Slurm, on {} of {} each\n\n",
+                                 count_text(static_cast<std::size_t>(*slurm.slurm.ranks), "rank"),
+                                 threads_text(*slurm.slurm.threads))
+                   : fmt::format("{} at a time on {} each\n\n", settings.jobs, threads_text(settings.threads))));
     flush_output();
     begin_sweep_page(folder.path(), study, points, command.typed);
-    const StopSignals signals;
     SweepRows rows(study, points, folder, all);
-    const TradeBudget budget(trade.budget, trade.settings, points, folder.path(), settings.jobs, settings.threads);
-    settings.may_start = [&](std::size_t index) { return budget.may_start(index); };
-    settings.stop_at = budget.end();
-    SweepRuns(rows, settings).run(signals);
-    return close(command, trade, rows, budget, signals);
+    if (queue) return run_in_jobs(command, trade, rows, std::move(*queue), slurm);
+    return run_here(command, trade, rows, std::move(settings));
 }
 
 }  // namespace dmp::cli

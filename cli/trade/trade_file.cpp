@@ -27,9 +27,13 @@ Json of_column(const TradeOutcome& outcome, std::size_t c) {
 
 Json of_setting(const TradeOutcome& outcome, std::size_t index) {
     const study::TradeSetting& setting = outcome.settings.settings[index];
-    Json json{{"run", outcome.names[index]},    {"set", outcome.settings.overrides(setting)},
-              {"spacing_m", setting.spacing},   {"quality", to_string(setting.quality)},
-              {"is_repeat", setting.is_repeat}, {"failure", outcome.failures[index]}};
+    Json json{{"run", outcome.names[index]},
+              {"set", outcome.settings.overrides(setting)},
+              {"spacing_m", setting.spacing},
+              {"quality", to_string(setting.quality)},
+              {"is_repeat", setting.role == study::TradeRole::repeat},
+              {"is_reference_given", setting.role == study::TradeRole::reference},
+              {"failure", outcome.failures[index]}};
     const auto run = std::ranges::find(outcome.runs, index, &study::TradeRun::setting);
     if (run == outcome.runs.end()) return json;
     const study::RunError& error = outcome.errors.runs[static_cast<std::size_t>(run - outcome.runs.begin())];

@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
 #include "cli/output_folder.hpp"
+#include "cli/scene_name.hpp"
 #include "cli/sweep/sweep_folder.hpp"
 #include "postproc/tables.hpp"
 #include "study/front.hpp"
@@ -35,14 +36,14 @@ std::vector<std::string> common_columns(const std::vector<MeasureSeries>& tables
     return columns;
 }
 
-/// For each column a number of its vector: velocity_x, velocity_y and velocity_z are of one, all others of their own.
-std::vector<std::size_t> vectors_of(const std::vector<std::string>& columns) {
+/// velocity_x, velocity_y and velocity_z are of one vector, all others of their own.
+std::vector<study::TradeColumn> trade_columns(const std::vector<std::string>& columns) {
     std::map<std::string, std::size_t> numbers;
-    std::vector<std::size_t> all;
+    std::vector<study::TradeColumn> all;
     for (const std::string& name : columns) {
         const bool is_component = name.ends_with("_x") || name.ends_with("_y") || name.ends_with("_z");
         const std::string vector = is_component ? name.substr(0, name.size() - 1) : name;
-        all.push_back(numbers.emplace(vector, numbers.size()).first->second);
+        all.push_back({numbers.emplace(vector, numbers.size()).first->second, {}});
     }
     return all;
 }
@@ -67,15 +68,18 @@ void need_columns(const std::vector<std::string>& columns, const Scene& scene, c
 
 }  // namespace
 
+fs::path default_trade_folder(const Scene& scene) { return output_folder("", scene_name(scene) + "_trade"); }
+
 std::vector<std::size_t> TradeOutcome::front() const {
     std::vector<study::CostAndError> tried;
     for (std::size_t r = 0; r < runs.size(); ++r)
-        tried.push_back({runs[r].cost, setting(runs[r]).is_repeat ? study::no_number : errors.runs[r].error});
+        tried.push_back({runs[r].cost, setting(runs[r]).role == study::TradeRole::candidate ? errors.runs[r].error
+                                                                                            : study::no_number});
     return study::front_of(tried);
 }
 
 TradeOutcome trade_outcome(const fs::path& folder, const Scene& scene, const study::TradeSettings& settings,
-                           const study::Points& points, const std::vector<std::string>& measures) {
+                           const study::Points& points, const TradeComparison& comparison) {
     TradeOutcome outcome;
     outcome.settings = settings;
     const auto failures = earlier_failures(folder / sweep_results_name);
@@ -86,28 +90,38 @@ TradeOutcome trade_outcome(const fs::path& folder, const Scene& scene, const stu
         const std::string& name = outcome.names.emplace_back(points.at(index).name);
         const auto failure = failures.find(name);
         outcome.failures.push_back(failure == failures.end() ? "" : failure->second.error);
-        const fs::path run = run_folder(folder, name);
-        if (contents_of(run).kind != FolderContents::Kind::finished) continue;
+        const FolderContents contents = contents_of(run_folder(folder, name));
+        outcome.begun.push_back(contents.kind == FolderContents::Kind::unfinished && contents.has_checkpoint);
+        if (contents.kind != FolderContents::Kind::finished) continue;
         try {
-            tables.push_back(postproc::read_measures_csv(run));
+            tables.push_back(postproc::read_measures_csv(run_folder(folder, name)));
         } catch (const Error& error) {
             outcome.failures.back() = one_line(error);
             continue;
         }
+        outcome.failures.back().clear();  // at most, a number of the study's page could not be had
         const auto time = times.find(name);
         outcome.runs.push_back({index, time == times.end() ? study::no_number : time->second.processor_s, {}});
-        comparable += settings.settings[index].is_repeat ? 0 : 1;
+        comparable += settings.settings[index].role == study::TradeRole::candidate ? 1 : 0;
     }
     if (comparable < 2) return outcome;
-    outcome.columns = common_columns(tables, scene, measures);
-    need_columns(outcome.columns, scene, measures, folder);
+    if (comparison.reference) {
+        outcome.runs.push_back({outcome.settings.settings.size(), study::no_number, {}});
+        outcome.settings.settings.push_back(comparison.reference->setting);
+        outcome.names.push_back(comparison.reference->folder.string());
+        outcome.failures.emplace_back();
+        outcome.begun.push_back(false);
+        tables.push_back(comparison.reference->measures);
+    }
+    outcome.columns = common_columns(tables, scene, comparison.measures);
+    need_columns(outcome.columns, scene, comparison.measures, folder);
     for (const std::string& name : outcome.columns) {
         const auto& names = tables.front().names;
         outcome.units.push_back(
             tables.front().units[static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())]);
         for (std::size_t r = 0; r < tables.size(); ++r) outcome.runs[r].measures.push_back(column(tables[r], name));
     }
-    outcome.errors = study::trade_errors(settings, outcome.runs, vectors_of(outcome.columns));
+    outcome.errors = study::trade_errors(outcome.settings, outcome.runs, trade_columns(outcome.columns));
     return outcome;
 }
 

@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/sweep/sweep_table.hpp"
+#include "cli/trade/given_reference.hpp"
 #include "cli/uses.hpp"
 #include "scene/scene.hpp"
 #include "study/points.hpp"
@@ -14,6 +16,15 @@
 #include "study/trade_settings.hpp"
 
 namespace dmp::cli {
+
+/// The folder that `dmp trade` writes a scene's trade into where none is given.
+[[nodiscard]] std::filesystem::path default_trade_folder(const Scene& scene);
+
+/// What the runs of a trade are compared by.
+struct TradeComparison {
+    std::vector<std::string> measures;        ///< names of the scene's measures; empty: all
+    std::optional<GivenReference> reference;  ///< none: the finest run
+};
 
 /// What a trade has found, of the runs that have ended.
 struct TradeOutcome {
@@ -24,6 +35,7 @@ struct TradeOutcome {
     study::TradeSettings settings;
     std::vector<std::string> names;     ///< of the run of each setting
     std::vector<std::string> failures;  ///< of each setting; "": it has not failed
+    std::vector<bool> begun;            ///< each setting: its run was stopped, and can go on
     std::vector<std::string> columns;   ///< of measures.csv, which are compared
     std::vector<std::string> units;     ///< of those
     std::vector<study::TradeRun> runs;  ///< that have ended
@@ -38,12 +50,11 @@ struct TradeOutcome {
     [[nodiscard]] std::vector<std::size_t> front() const;
 };
 
-/// Of the runs in the folder of a trade. `measures`: names of the scene's measures that are compared; empty: all.
-/// A run whose table of measures is damaged has failed. Throws InputError where one of `measures` has no column that
-/// all runs have.
+/// Of the runs in the folder of a trade. A run whose table of measures is damaged has failed. Throws InputError where
+/// one of the measures to compare has no column that all runs have.
 [[nodiscard]] TradeOutcome trade_outcome(const std::filesystem::path& folder, const Scene& scene,
                                          const study::TradeSettings& settings, const study::Points& points,
-                                         const std::vector<std::string>& measures);
+                                         const TradeComparison& comparison);
 
 /// For people: the table of settings, what is known of the measures, and for each tolerance the cheapest setting.
 [[nodiscard]] std::string trade_text(const TradeOutcome& outcome, const std::vector<double>& tolerances,

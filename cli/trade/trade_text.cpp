@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
 #include "base/shell_word.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
@@ -15,9 +14,6 @@
 namespace dmp::cli {
 
 namespace {
-
-/// "3.2 %", "-" where it is not known.
-std::string part_text(double part) { return std::isnan(part) ? "-" : number_text(100 * part, 2) + " %"; }
 
 std::string setting_text(const study::TradeSetting& setting) {
     return setting.spacing_text + (setting.spacing_text.empty() ? "" : ", ") + to_string(setting.quality);
@@ -32,16 +28,17 @@ std::string settings_table(const TradeOutcome& outcome) {
             setting.spacing_text.empty() ? "-" : setting.spacing_text, to_string(setting.quality), "", "", "", ""};
         const auto run = std::ranges::find(outcome.runs, index, &study::TradeRun::setting);
         if (run == outcome.runs.end()) {
-            row[2] = outcome.failures[index].empty() ? "not run" : "failed";
+            row[2] = !outcome.failures[index].empty() ? "failed" : outcome.begun[index] ? "stopped" : "not run";
             row[4] = outcome.failures[index];
         } else {
             const auto r = static_cast<std::size_t>(run - outcome.runs.begin());
             const study::RunError& error = outcome.errors.runs[r];
-            row[2] = duration_text(run->cost);
+            row[2] = std::isnan(run->cost) ? "-" : duration_text(run->cost);
             row[3] = part_text(error.error);
             row[4] = outcome.columns[error.column] + (std::isnan(error.error) ? " is not known" : "");
-            row[5] = r == outcome.errors.reference                ? "the reference"
-                     : setting.is_repeat                          ? "repeat, for the scatter"
+            row[5] = setting.role == study::TradeRole::reference  ? "the reference, given"
+                     : r == outcome.errors.reference              ? "the reference"
+                     : setting.role == study::TradeRole::repeat   ? "repeat, for the scatter"
                      : std::ranges::find(front, r) != front.end() ? "*"
                                                                   : "";
         }
@@ -54,7 +51,8 @@ std::string measures_table(const TradeOutcome& outcome) {
     std::vector<std::vector<std::string>> rows{{"measure", "scatter", "reference's error", "order", ""}};
     for (std::size_t c = 0; c < outcome.columns.size(); ++c) {
         const study::ColumnTrust& trust = outcome.errors.columns[c];
-        rows.push_back({outcome.columns[c], part_text(trust.scatter), part_text(trust.reference),
+        rows.push_back({outcome.columns[c], std::isnan(trust.scatter) ? "not measured" : part_text(trust.scatter),
+                        trust.is_exact ? "exact" : part_text(trust.reference),
                         std::isnan(trust.order) ? "-" : fmt::format("{:.1f}", trust.order),
                         trust.counts()   ? trust.why_not
                         : trust.has_size ? "not counted: it scatters by more than half its size"
@@ -68,7 +66,7 @@ std::string best_text(const TradeOutcome& outcome) {
     const study::RunError* best = nullptr;
     for (std::size_t r = 0; r < outcome.runs.size(); ++r) {
         const study::RunError& each = outcome.errors.runs[r];
-        if (outcome.setting(outcome.runs[r]).is_repeat || std::isnan(each.error)) continue;
+        if (outcome.setting(outcome.runs[r]).role != study::TradeRole::candidate || std::isnan(each.error)) continue;
         if (best == nullptr || each.error < best->error) best = &each;
     }
     if (best == nullptr) return "not reachable: no error is known";

@@ -26,7 +26,8 @@ class Trades : public SmallValve {
         folder_.replace("scene.toml", "every = \"40 ms\"", "every = \"10 ms\"");
     }
     [[nodiscard]] Outcome trade(const Words& more, const Surroundings& with = {}) const {
-        Words words{"trade", "scene.toml", "--until", "60 ms"};
+        Words words{"trade", "scene.toml"};
+        if (std::ranges::find(more, "--until") == more.end()) words.insert(words.end(), {"--until", "60 ms"});
         words.insert(words.end(), more.begin(), more.end());
         return run_dmp(folder_.path(), words, with);
     }
@@ -163,12 +164,47 @@ TEST_F(Trades, NeedTwoSettingsThatEnd) {
                 AllOf(HasSubstr("fewer than two settings have come to their end"), HasSubstr("results.csv")));
 }
 
-TEST_F(Trades, NeedMeasures) {
-    std::string scene = folder_.read("scene.toml");
+TEST_F(Trades, OfASceneWithoutMeasuresTakeItsKineticEnergy) {
+    const std::string scene = folder_.read("scene.toml");
     folder_.write("scene.toml", scene.substr(0, scene.find("[[measure]]")));
-    const Outcome ended = trade({"--out", "out"});
-    EXPECT_EQ(ended.code, 2);
-    EXPECT_THAT(ended.errors, AllOf(HasSubstr("the scene measures nothing"), HasSubstr("kind = \"kinetic_energy\"")));
+    const Outcome ended = trade({"--out", "out", "--tolerance", "99 %"});
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+    EXPECT_THAT(ended.output, HasSubstr("The scene measures nothing; its runs are compared by 'kinetic_energy'."));
+    EXPECT_THAT(ended.output, Not(HasSubstr("--set 'measure.")));
+    EXPECT_EQ(result("out")["measures"][0]["name"], "kinetic_energy");
+    const Outcome run = run_dmp(folder_.path(), {"run", "scene.toml", "--until", "20 ms", "--tolerance", "99 %",
+                                                 "--trade", "out", "--out", "run"});
+    EXPECT_EQ(run.code, 0) << run.errors;
+    EXPECT_THAT(run.output, HasSubstr("For an error of 99 %, by out/trade.json: "));
+}
+
+TEST_F(Trades, AreComparedWithAReferenceThatIsGiven) {
+    const Words run{"run", "scene.toml", "--until", "60 ms", "--out", "fine", "--set"};
+    const auto run_with = [&](const std::string& setting, const std::string& out) {
+        Words words = run;
+        words[5] = out;
+        words.push_back(setting);
+        ASSERT_EQ(run_dmp(folder_.path(), words).code, 0);
+    };
+    run_with("particles.spacing=\"0.25 mm\"", "fine");
+    run_with("part.blood.viscosity=\"4 mPa*s\"", "other");
+    ASSERT_EQ(trade({"--out", "out", "--measures", "inlet_flux"}).code, 0);
+    const nlohmann::json before = result("out");
+    const Outcome ended = trade({"--out", "out", "--measures", "inlet_flux", "--resume", "--reference", "fine"});
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+    EXPECT_THAT(ended.output, HasSubstr("the reference, given"));
+    const nlohmann::json found = result("out");
+    ASSERT_THAT(found["settings"], SizeIs(7));
+    EXPECT_EQ(found["reference"], "fine");
+    EXPECT_EQ(found["settings"][6]["is_reference_given"], true);
+    EXPECT_EQ(found["settings"][6]["distance"]["inlet_flux"]["whole"], 0);
+    EXPECT_GT(found["settings"][5]["distance"]["inlet_flux"]["whole"], 0);
+    EXPECT_LT(found["measures"][0]["error_of_reference"], before["measures"][0]["error_of_reference"]);
+    EXPECT_THAT(
+        trade({"--out", "out", "--resume", "--reference", "other"}).errors,
+        AllOf(HasSubstr("other: this reference is a run of another scene:"), HasSubstr("part.blood.viscosity")));
+    EXPECT_THAT(trade({"--out", "out", "--resume", "--reference", "out"}).errors,
+                HasSubstr("'out' is no folder of a run that has ended"));
 }
 
 TEST_F(Trades, RefuseWhatMakesNoSense) {
@@ -181,6 +217,10 @@ TEST_F(Trades, RefuseWhatMakesNoSense) {
         {{"--budget", "5 kg"}, "--budget: found \"5 kg\" (mass)"},
         {{"--budget", "-1 s"}, "--budget: '-1 s' is no time above 0"},
         {{"--resume"}, "there is no study to go on with"},
+        {{"--until", "3 ms"},
+         "--until: runs to 3 ms have fewer than two rows of measures, which are written every 10 ms"},
+        {{"--slurm", "--budget", "1 h"}, "--budget excludes --slurm"},
+        {{"--partition", "long"}, "are of jobs of Slurm"},
         {{"--set", "particles.spacing=5"}, "particles.spacing"},
     };
     for (const auto& [words, said] : wrong) {

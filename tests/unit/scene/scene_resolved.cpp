@@ -69,6 +69,17 @@ TEST(Override, reaches_every_kind_of_key) {
     EXPECT_EQ(scene.particles.spacing.location.line, 0);
 }
 
+TEST(Override, of_a_kind_adds_a_measure) {
+    const Scene scene = read_text(good_scene, {"measure.energy.kind=kinetic_energy"});
+    ASSERT_EQ(scene.measures.size(), read_text(good_scene).measures.size() + 1);
+    EXPECT_EQ(*scene.measures.back().name, "energy");
+    EXPECT_EQ(*scene.measures.back().kind, MeasureKind::kinetic_energy);
+    const std::string without = good_scene.substr(0, good_scene.find("[[measure]]"));
+    EXPECT_EQ(read_text(without, {"measure.energy.kind=kinetic_energy"}).measures.size(), 1U);
+    EXPECT_THROW(static_cast<void>(read_text(good_scene, {"measure.flux_im.kind=flux"})), InputError) << "flux_in";
+    EXPECT_THROW(static_cast<void>(read_text(good_scene, {"measure.energy.part=leaflets"})), InputError);
+}
+
 TEST(Override, needs_no_quotes_and_the_last_one_wins) {
     const Scene scene = read_text(good_scene, {"particles.spacing=0.3 mm", "particles.spacing= 0.4 mm ",
                                                "numerics.density=continuity", "numerics.walls=extrapolated"});

@@ -27,6 +27,8 @@ using study::CostAndError;
 using study::error_of;
 using study::SeriesError;
 using study::TimeSeries;
+using study::TradeColumn;
+using study::TradeRole;
 using study::TradeRun;
 using study::TradeSetting;
 using study::TradeSettings;
@@ -107,7 +109,7 @@ TEST(TradeSettings, AreFourSpacingsWithEachLevelAndTwoRepeatsCheapestFirst) {
     EXPECT_NEAR(all.settings.front().cost, 2.0 / 3 / 8, 1e-12) << "in 2-D: particles times steps";
     std::vector<std::vector<std::string>> repeats;
     for (const TradeSetting& each : all.settings)
-        if (each.is_repeat) repeats.push_back(all.overrides(each));
+        if (each.role == TradeRole::repeat) repeats.push_back(all.overrides(each));
     EXPECT_THAT(
         repeats,
         ElementsAre(
@@ -146,14 +148,14 @@ TEST(TradeSettings, MakeAStudyOfTheirRunsInTheirOrder) {
 /// Runs whose one measure is 1 + factor h^order at all times, of these spacings.
 struct Ladder {
     Ladder(const std::vector<double>& spacings, double factor, double order) {
-        for (const double h : spacings) add(h, 1 + factor * std::pow(h, order), false);
+        for (const double h : spacings) add(h, 1 + factor * std::pow(h, order), TradeRole::candidate);
     }
-    void add(double spacing, double value, bool repeat) {
-        settings.settings.push_back({spacing, "", Quality::standard, repeat, 1, {}});
+    void add(double spacing, double value, TradeRole role) {
+        settings.settings.push_back({spacing, "", Quality::standard, role, 1, {}});
         runs.push_back({runs.size(), 1, {TimeSeries{{0, 1}, {value, value}}}});
     }
     [[nodiscard]] study::TradeErrors errors() const {
-        return trade_errors(settings, runs, std::vector<std::size_t>(runs.front().measures.size()));
+        return trade_errors(settings, runs, std::vector<TradeColumn>(runs.front().measures.size()));
     }
 
     TradeSettings settings;
@@ -178,7 +180,7 @@ TEST(TradeErrors, AreThoseFromTheLimitWhereTheRunsConverge) {
 TEST(TradeErrors, OfTheReferenceAreTheDistanceOfTwiceTheSpacingWhereRunsDoNotConverge) {
     Ladder ladder({}, 0, 1);
     for (const auto& [spacing, value] : {std::pair{1.0, 1.02}, {0.7, 0.9}, {0.5, 1.05}, {0.35, 1.0}})
-        ladder.add(spacing, value, false);
+        ladder.add(spacing, value, TradeRole::candidate);
     const auto errors = ladder.errors();
     EXPECT_TRUE(std::isnan(errors.columns[0].order));
     EXPECT_EQ(errors.columns[0].why_not, "it does not fall with an order of 0.5 to 4");
@@ -189,8 +191,8 @@ TEST(TradeErrors, OfTheReferenceAreTheDistanceOfTwiceTheSpacingWhereRunsDoNotCon
 
 TEST(TradeErrors, AreNotLessThanTheScatterOfRepeats) {
     Ladder ladder({1, 0.7, 0.5, 0.35}, 0.001, 1);
-    ladder.add(0.502, 1.03, true);
-    ladder.add(0.498, 0.99, true);
+    ladder.add(0.502, 1.03, TradeRole::repeat);
+    ladder.add(0.498, 0.99, TradeRole::repeat);
     const auto errors = ladder.errors();
     EXPECT_EQ(errors.reference, 3U);
     EXPECT_NEAR(errors.columns[0].scatter, 0.0295 / 1.0005, 1e-3);
@@ -208,15 +210,56 @@ TEST(TradeErrors, OfTheReferenceAreThoseOfFirstOrderByTheRunThatThereIs) {
 TEST(TradeErrors, HoldThatOfTheReferencesLevel) {
     Ladder ladder({1, 1.4, 2}, 0.1, 1);
     for (auto& each : ladder.settings.settings) each.quality = Quality::draft;
-    ladder.add(1.4, 1.2, false);  // of quality standard
+    ladder.add(1.4, 1.2, TradeRole::candidate);  // of quality standard
     const auto errors = ladder.errors();
     EXPECT_EQ(errors.reference, 0U);
     EXPECT_NEAR(errors.columns[0].reference, 0.1 / 1.1 + (1.2 - 1.14) / 1.2, 1e-9);
 }
 
+TEST(TradeErrors, AgainstAGivenReferenceAreThoseFromTheLimit) {
+    const double factor = 0.1;
+    Ladder ladder({0.5, 1, 0.25, 0.7}, factor, 2);
+    const double finest = 1 + factor * std::pow(0.125, 2);
+    ladder.add(0.125, finest, TradeRole::reference);
+    const auto errors = ladder.errors();
+    EXPECT_EQ(errors.reference, 4U);
+    EXPECT_NEAR(errors.columns[0].order, 2, 1e-9);
+    EXPECT_NEAR(errors.columns[0].reference, factor * std::pow(0.125, 2) / finest, 1e-9);
+    for (std::size_t r = 0; r < 4; ++r)
+        EXPECT_NEAR(errors.runs[r].error, factor * std::pow(ladder.settings.settings[r].spacing, 2) / finest, 1e-9);
+}
+
+TEST(TradeErrors, OfAGivenReferenceHaveTheConvergenceOfTheFinestRunsLevel) {
+    Ladder ladder({0.5, 1, 0.25, 0.7}, 0.1, 1);
+    ladder.add(0.125, 1.0125, TradeRole::reference);
+    ladder.settings.settings.back().quality = Quality::fine;  // which none of the others has
+    EXPECT_NEAR(ladder.errors().columns[0].order, 1, 1e-9);
+}
+
+TEST(TradeErrors, AgainstAGivenReferenceThatIsCoarserAreSaidAllTheSame) {
+    Ladder ladder({0.5, 1, 0.25, 0.7}, 0.1, 1);
+    ladder.add(2, 1.2, TradeRole::reference);
+    const auto errors = ladder.errors();
+    EXPECT_EQ(errors.columns[0].why_not, "no other spacing has been run at its level");
+    EXPECT_NEAR(errors.columns[0].reference, (1.2 - 1.025) / 1.2, 1e-9) << "of the finest run";
+}
+
+TEST(TradeErrors, AgainstWhatIsExactAreTheDistances) {
+    Ladder ladder({0.5, 1, 0.25, 0.7}, 0.1, 2);
+    for (std::size_t r = 0; r < 4; ++r) ladder.runs[r].measures.push_back(ladder.runs[r].measures[0]);
+    const TimeSeries one{{0, 1}, {1, 1}};
+    const auto errors = trade_errors(ladder.settings, ladder.runs, {{0, one}, {1, {}}});
+    EXPECT_TRUE(errors.columns[0].is_exact);
+    EXPECT_FALSE(errors.columns[1].is_exact);
+    EXPECT_EQ(errors.columns[0].reference, 0);
+    EXPECT_NEAR(errors.columns[0].order, 2, 1e-9);
+    for (std::size_t r = 0; r < 4; ++r)
+        EXPECT_NEAR(errors.runs[r].distance[0].largest(), 0.1 * std::pow(ladder.settings.settings[r].spacing, 2), 1e-9);
+}
+
 TEST(TradeErrors, AreNotKnownOfARunWithoutValues) {
     Ladder ladder({1, 0.7, 0.5, 0.35}, 0.1, 1);
-    ladder.add(0.502, 1.05, true);
+    ladder.add(0.502, 1.05, TradeRole::repeat);
     ladder.runs[0].measures[0].value = {nan, nan};
     const auto errors = ladder.errors();
     EXPECT_TRUE(std::isnan(errors.runs[0].error));
@@ -228,17 +271,17 @@ TEST(TradeErrors, OfAVectorsComponentAreTakenOfTheVectorsSize) {
     Ladder ladder({1, 0.7, 0.5, 0.35}, 0.1, 1);
     for (std::size_t r = 0; r < 4; ++r)
         ladder.runs[r].measures.push_back({{0, 1}, {1e-12, static_cast<double>(r) * 1e-12}});
-    const auto together = trade_errors(ladder.settings, ladder.runs, {7, 7});
+    const auto together = trade_errors(ladder.settings, ladder.runs, {{7, {}}, {7, {}}});
     EXPECT_LT(together.runs[0].distance[1].largest(), 1e-11);
     EXPECT_EQ(together.runs[0].column, 0U);
-    EXPECT_GT(trade_errors(ladder.settings, ladder.runs, {0, 1}).runs[0].distance[1].largest(), 0.5);
+    EXPECT_GT(trade_errors(ladder.settings, ladder.runs, {{0, {}}, {1, {}}}).runs[0].distance[1].largest(), 0.5);
 }
 
 TEST(TradeErrors, DoNotCountWhatScattersMoreThanHalfItsSize) {
     Ladder ladder({1, 0.7, 0.5, 0.35}, 0.1, 1);
-    ladder.add(0.502, 1.05, true);
+    ladder.add(0.502, 1.05, TradeRole::repeat);
     for (std::size_t r = 0; r < 5; ++r) ladder.runs[r].measures.push_back({{0, 1}, {1, r == 4 ? -1.0 : 1.0}});
-    const auto errors = trade_errors(ladder.settings, ladder.runs, {0, 1});
+    const auto errors = trade_errors(ladder.settings, ladder.runs, {{0, {}}, {1, {}}});
     EXPECT_TRUE(errors.columns[0].counts());
     EXPECT_FALSE(errors.columns[1].counts());
     EXPECT_EQ(errors.runs[0].column, 0U);
@@ -251,7 +294,7 @@ TEST(TradeErrors, AreOfTheWorstMeasureThatHasANumber) {
         ladder.runs[r].measures.push_back({{0, 1}, {nan, nan}});
         ladder.runs[r].measures.push_back({{0, 1}, {0, 5 + 2 * h}});
     }
-    const auto errors = trade_errors(ladder.settings, ladder.runs, {0, 1, 2});
+    const auto errors = trade_errors(ladder.settings, ladder.runs, {{0, {}}, {1, {}}, {2, {}}});
     EXPECT_EQ(errors.runs[0].column, 2U);
     EXPECT_NEAR(errors.runs[0].error, 2 / 5.7, 1e-9);
     EXPECT_FALSE(errors.columns[1].counts());
