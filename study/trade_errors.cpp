@@ -71,6 +71,7 @@ class Errors {
 
   private:
     [[nodiscard]] const TradeSetting& setting(std::size_t run) const { return settings_.settings[runs_[run].setting]; }
+    [[nodiscard]] double rank_at(std::size_t run) const { return setting(run).level.rank; }
     [[nodiscard]] bool is_candidate(std::size_t run) const { return setting(run).role == TradeRole::candidate; }
 
     /// `series_of`: of the other one, by column.
@@ -99,7 +100,7 @@ class Errors {
         return {};
     }
 
-    /// The candidate with the smallest spacing, then of the highest quality; none where there is no other than `but`.
+    /// The candidate with the smallest spacing, then of the highest level; none where there is no other than `but`.
     [[nodiscard]] std::optional<std::size_t> finest(std::optional<std::size_t> but = {}) const {
         std::optional<std::size_t> best;
         for (std::size_t run = 0; run < runs_.size(); ++run)
@@ -107,8 +108,8 @@ class Errors {
         return best;
     }
     /// Lower is finer.
-    [[nodiscard]] std::pair<double, int> rank(std::size_t run) const {
-        return {setting(run).spacing, -static_cast<int>(setting(run).quality)};
+    [[nodiscard]] std::pair<double, double> rank(std::size_t run) const {
+        return {setting(run).spacing, -rank_at(run)};
     }
 
     [[nodiscard]] double scatter_of(std::size_t column) const {
@@ -117,7 +118,7 @@ class Errors {
             if (setting(r).role != TradeRole::repeat) continue;
             for (std::size_t other = 0; other < runs_.size(); ++other) {
                 const TradeSetting& repeated = setting(other);
-                if (!is_candidate(other) || repeated.quality != setting(r).quality ||
+                if (!is_candidate(other) || rank_at(other) != rank_at(r) ||
                     std::abs(repeated.spacing / setting(r).spacing - 1) > 0.01)
                     continue;
                 scatter = std::fmax(scatter, between(r, other, column).largest());
@@ -127,11 +128,11 @@ class Errors {
     }
 
     /// The level whose runs show the convergence: the reference's, or, where none of it has been run, the finest run's.
-    [[nodiscard]] Quality level() const {
-        const Quality own = setting(reference_).quality;
+    [[nodiscard]] double level() const {
+        const double own = rank_at(reference_);
         for (std::size_t run = 0; run < runs_.size(); ++run)
-            if (is_candidate(run) && setting(run).quality == own) return own;
-        return setting(*finest()).quality;
+            if (is_candidate(run) && rank_at(run) == own) return own;
+        return rank_at(*finest());
     }
 
     /// Of that level, coarsest first; those whose spacing is larger than that of the reference (`finest_spacing`).
@@ -141,7 +142,7 @@ class Errors {
         for (std::size_t r = 0; r < runs_.size(); ++r) {
             const TradeSetting& each = setting(r);
             const double distance = errors[r].distance[column].largest();
-            if (!is_candidate(r) || each.quality != level() || each.spacing <= finest_spacing * (1 + 1e-6) ||
+            if (!is_candidate(r) || each.level.rank != level() || each.spacing <= finest_spacing * (1 + 1e-6) ||
                 std::isnan(distance))
                 continue;
             distances.push_back({each.spacing, distance});
@@ -153,12 +154,12 @@ class Errors {
     /// Between the reference's level and the highest one, at the finest spacing that both have been run at; 0 where it
     /// is the highest, or no spacing is common.
     [[nodiscard]] double error_of_level(std::size_t column) const {
-        const Quality own = setting(reference_).quality;
+        const double own = rank_at(reference_);
         std::optional<std::pair<std::size_t, std::size_t>> best;
         for (std::size_t low = 0; low < runs_.size(); ++low)
             for (std::size_t high = 0; high < runs_.size(); ++high) {
-                if (!is_candidate(low) || !is_candidate(high) || setting(low).quality != own ||
-                    setting(high).quality <= own || setting(low).spacing != setting(high).spacing)
+                if (!is_candidate(low) || !is_candidate(high) || rank_at(low) != own || rank_at(high) <= own ||
+                    setting(low).spacing != setting(high).spacing)
                     continue;
                 if (!best || rank(high) < rank(best->second)) best = {low, high};
             }

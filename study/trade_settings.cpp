@@ -30,6 +30,7 @@ constexpr std::array factors{2.0, std::numbers::sqrt2, 1.0, 1 / std::numbers::sq
 constexpr std::array repeat_spacings{0.995, 1.005}, repeat_steps{0.97, 0.94};
 constexpr const char* spacing_key = "particles.spacing";
 constexpr const char* quality_key = "quality";
+constexpr const char* sound_key = "numerics.sound_speed";
 constexpr const char* step_key = "numerics.step_factor";
 
 /// Steps of the corrected scheme go so.
@@ -44,6 +45,10 @@ double steps_of(Quality quality) {
     }
     unlisted_value(quality);
 }
+
+/// Of a speed of sound that the scene gives; down to this Mach number of the largest speed that it expects.
+constexpr std::array sound_factors{1.0, 0.5, 0.25};
+constexpr double largest_mach = 0.15;
 
 /// "0.1414 mm"
 std::string length_text(double length, int digits) {
@@ -68,7 +73,6 @@ std::string what_acts(Scene scene) {
     const Scene defaults;
     if (scene.parts_of(PartKind::spheres).empty())
         scene.numerics.steps_per_contact = defaults.numerics.steps_per_contact;
-    if (scene.numerics.sound_speed.given()) scene.numerics.mach_number = defaults.numerics.mach_number;
     return resolved_scene(scene);
 }
 
@@ -102,54 +106,101 @@ std::map<std::string, std::string> common_values(const TradeScene& scene, const 
     return values;
 }
 
+double rank_of(Quality quality) {
+    switch (quality) {
+        case Quality::draft:
+            return 0;
+        case Quality::standard:
+            return 1;
+        case Quality::fine:
+            return 2;
+    }
+    unlisted_value(quality);
+}
+
+TradeLevel level_of_quality(Quality quality) { return {to_string(quality), rank_of(quality)}; }
+
+std::string speed_text(double speed) { return number_text(speed, 6) + " m/s"; }
+
+TradeLevel level_of_sound(double speed) { return {"sound speed " + speed_text(speed), speed}; }
+
+/// A level, and how it is set.
+struct LevelOfScene {
+    TradeLevel level;
+    std::string toml;        ///< of the key that sets it
+    double steps = 1;        ///< in the same time, as a multiple
+    double step_factor = 0;  ///< numerics.step_factor
+};
+
+std::vector<LevelOfScene> levels_of_quality(const TradeScene& scene) {
+    std::vector<LevelOfScene> levels;
+    for (const auto& [quality, at_level] : different_levels(scene))
+        levels.push_back({level_of_quality(quality), toml_quoted(to_string(quality)), steps_of(quality),
+                          *at_level.numerics.step_factor});
+    return levels;
+}
+
+std::vector<LevelOfScene> levels_of_sound(const Scene& scene) {
+    std::vector<LevelOfScene> levels;
+    const double given = *scene.numerics.sound_speed;
+    for (const double factor : sound_factors) {
+        const double speed = given * factor;
+        if (factor < 1 && !(scene.flow.largest_speed.given() && *scene.flow.largest_speed <= largest_mach * speed))
+            continue;
+        levels.push_back({level_of_sound(speed), toml_quoted(speed_text(speed)), factor, *scene.numerics.step_factor});
+    }
+    return levels;
+}
+
 /// Columns of settings: what each of the trade's keys is set to.
 class Rows {
   public:
-    explicit Rows(const TradeScene& scene)
-        : levels_(different_levels(scene)),
-          own_(levels_.at(Quality::standard)),
-          own_quality_(*with(scene, {}).quality) {
-        if (!levels_.contains(own_quality_)) own_quality_ = Quality::standard;  // which is the same
+    explicit Rows(const TradeScene& scene) : own_(with(scene, {})) {
+        const bool gives_sound = own_.numerics.sound_speed.given();
+        levels_ = gives_sound ? levels_of_sound(own_) : levels_of_quality(scene);
+        const std::string own_text = level_of(own_, own_).text;
+        const auto own = std::ranges::find(levels_, own_text, [](const auto& each) { return each.level.text; });
+        own_level_ = own == levels_.end() ? 0 : static_cast<std::size_t>(own - levels_.begin());  // which is the same
         has_spacing_ = own_.particles.spacing.given();
         has_steps_ = own_.flow.largest_speed.given() && has_spacing_;
         if (has_spacing_) result_.keys.emplace_back(spacing_key);
-        result_.keys.emplace_back(quality_key);
+        result_.keys.emplace_back(gives_sound ? sound_key : quality_key);
         if (has_steps_) result_.keys.emplace_back(step_key);
     }
 
     TradeSettings settings() {
         if (has_spacing_) {
             for (const double factor : factors)
-                for (const auto& [quality, at_level] : levels_) add(factor, quality, 1);
+                for (const LevelOfScene& level : levels_) add(factor, level, 1);
             for (std::size_t k = 0; k < repeat_spacings.size(); ++k) {
-                add(repeat_spacings[k], own_quality_, has_steps_ ? repeat_steps[k] : 1);
+                add(repeat_spacings[k], levels_[own_level_], has_steps_ ? repeat_steps[k] : 1);
                 result_.settings.back().role = TradeRole::repeat;
             }
         } else {
-            for (const auto& [quality, at_level] : levels_) add(1, quality, 1);
+            for (const LevelOfScene& level : levels_) add(1, level, 1);
         }
         std::ranges::stable_sort(result_.settings, {}, &TradeSetting::cost);
         return std::move(result_);
     }
 
   private:
-    void add(double factor, Quality quality, double step) {
+    void add(double factor, const LevelOfScene& level, double step) {
         TradeSetting setting;
-        setting.quality = quality;
+        setting.level = level.level;
         if (has_spacing_) {
             setting.spacing_text = length_text(*own_.particles.spacing * factor, factor == 1 ? 15 : 4);
             setting.spacing = read_quantity(setting.spacing_text, "m");
             setting.values.push_back(toml_quoted(setting.spacing_text));
         }
-        setting.values.push_back(toml_quoted(to_string(quality)));
-        if (has_steps_) setting.values.push_back(number_text(*levels_.at(quality).numerics.step_factor * step, 6));
-        setting.cost = steps_of(quality) / std::pow(factor, *own_.dimension + 1) / step;
+        setting.values.push_back(level.toml);
+        if (has_steps_) setting.values.push_back(number_text(level.step_factor * step, 6));
+        setting.cost = level.steps / levels_[own_level_].steps / std::pow(factor, *own_.dimension + 1) / step;
         result_.settings.push_back(std::move(setting));
     }
 
-    std::map<Quality, Scene> levels_;
-    const Scene& own_;
-    Quality own_quality_;
+    Scene own_;
+    std::vector<LevelOfScene> levels_;
+    std::size_t own_level_ = 0;
     bool has_spacing_ = false, has_steps_ = false;
     TradeSettings result_;
 };
@@ -166,6 +217,11 @@ std::vector<std::string> TradeSettings::overrides(const TradeSetting& setting) c
 }
 
 std::string spacing_text(double length) { return length_text(length, 4); }
+
+TradeLevel level_of(const Scene& as_run, const Scene& scene) {
+    return scene.numerics.sound_speed.given() ? level_of_sound(*as_run.numerics.sound_speed)
+                                              : level_of_quality(*as_run.quality);
+}
 
 TradeSettings trade_settings(const TradeScene& scene) { return Rows(scene).settings(); }
 

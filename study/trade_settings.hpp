@@ -17,13 +17,20 @@ enum class TradeRole {
     reference   ///< given by the user, to compare all others with
 };
 
-/// A setting of a scene's resolution and quality, whose cost and error a trade measures.
+/// What trades accuracy for speed at one spacing: a level of quality, or, in a scene that gives its speed of sound, a
+/// lower one.
+struct TradeLevel {
+    std::string text;  ///< "draft", "sound speed 1.5 m/s"
+    double rank = 0;   ///< the higher, the more accurate
+};
+
+/// A setting of a scene's resolution and level, whose cost and error a trade measures.
 struct TradeSetting {
     double spacing = 0;        ///< of the particles [m]; 0: the scene has none
     std::string spacing_text;  ///< "0.1414 mm"; "": the scene has none
-    Quality quality = Quality::standard;
+    TradeLevel level;
     TradeRole role = TradeRole::candidate;
-    double cost = 1;  ///< expected, as a multiple of that of the scene's own spacing with quality standard
+    double cost = 1;                  ///< expected, as a multiple of that of the scene's own spacing and level
     std::vector<std::string> values;  ///< of the trade's keys, as TOML
 };
 
@@ -33,7 +40,7 @@ struct TradeSettings {
     std::vector<std::string> keys;       ///< that differ, as --set names them
     std::vector<TradeSetting> settings;  ///< cheapest first
 
-    /// What makes a run of the scene this setting, as --set takes it; without what its quality sets. Nothing for a
+    /// What makes a run of the scene this setting, as --set takes it; without what its level sets. Nothing for a
     /// reference.
     [[nodiscard]] std::vector<std::string> overrides(const TradeSetting& setting) const;
 };
@@ -46,6 +53,9 @@ struct TradeScene {
 
 /// A length with its unit: "0.1414 mm".
 [[nodiscard]] std::string spacing_text(double length);
+
+/// The level that a run of the scene has; `as_run`: the scene with the run's values.
+[[nodiscard]] TradeLevel level_of(const Scene& as_run, const Scene& scene);
 
 /// Throws InputError where the scene cannot be read.
 [[nodiscard]] TradeSettings trade_settings(const TradeScene& scene);

@@ -44,7 +44,7 @@ GivenReference given_reference(const fs::path& folder, const Scene& scene) {
     given.measures = postproc::read_measures_csv(folder);
     const Scene as_run = read_scene((folder / resolved_scene_name).string());
     given.setting.role = study::TradeRole::reference;
-    given.setting.quality = *as_run.quality;
+    given.setting.level = study::level_of(as_run, scene);
     if (as_run.particles.spacing.given()) {
         given.setting.spacing = *as_run.particles.spacing;
         given.setting.spacing_text = study::spacing_text(given.setting.spacing);

@@ -30,7 +30,7 @@ Json of_setting(const TradeOutcome& outcome, std::size_t index) {
     Json json{{"run", outcome.names[index]},
               {"set", outcome.settings.overrides(setting)},
               {"spacing_m", setting.spacing},
-              {"quality", to_string(setting.quality)},
+              {"level", setting.level.text},
               {"is_repeat", setting.role == study::TradeRole::repeat},
               {"is_reference_given", setting.role == study::TradeRole::reference},
               {"failure", outcome.failures[index]}};

@@ -81,15 +81,15 @@ TradeRequest trade_request(const TradeCommand& command) {
     trade.settings = study::trade_settings(trade.scene);
     if (trade.settings.settings.size() < 2)
         throw InputError({scene.file, 0, 0},
-                         "there is nothing to trade: its quality levels are the same, and it has no spacing",
+                         "there is nothing to trade: its levels are the same, and it has no spacing",
                          "Vary a key of it with 'dmp sweep' (docs/studies.md).");
     return trade;
 }
 
 std::string settings_text(const study::TradeSettings& settings) {
-    std::vector<std::vector<std::string>> rows{{"spacing", "quality", "cost", ""}};
+    std::vector<std::vector<std::string>> rows{{"spacing", "level", "cost", ""}};
     for (const study::TradeSetting& each : settings.settings)
-        rows.push_back({each.spacing_text.empty() ? "-" : each.spacing_text, to_string(each.quality),
+        rows.push_back({each.spacing_text.empty() ? "-" : each.spacing_text, each.level.text,
                         fmt::format("{:.2g}", each.cost),
                         each.role == study::TradeRole::repeat ? "repeat, for the scatter" : ""});
     return table_text(rows);

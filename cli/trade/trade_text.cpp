@@ -16,16 +16,16 @@ namespace dmp::cli {
 namespace {
 
 std::string setting_text(const study::TradeSetting& setting) {
-    return setting.spacing_text + (setting.spacing_text.empty() ? "" : ", ") + to_string(setting.quality);
+    return setting.spacing_text + (setting.spacing_text.empty() ? "" : ", ") + setting.level.text;
 }
 
 std::string settings_table(const TradeOutcome& outcome) {
-    std::vector<std::vector<std::string>> rows{{"spacing", "quality", "processor time", "error", "of", ""}};
+    std::vector<std::vector<std::string>> rows{{"spacing", "level", "processor time", "error", "of", ""}};
     const std::vector<std::size_t> front = outcome.front();
     for (std::size_t index = 0; index < outcome.settings.settings.size(); ++index) {
         const study::TradeSetting& setting = outcome.settings.settings[index];
         std::vector<std::string> row{
-            setting.spacing_text.empty() ? "-" : setting.spacing_text, to_string(setting.quality), "", "", "", ""};
+            setting.spacing_text.empty() ? "-" : setting.spacing_text, setting.level.text, "", "", "", ""};
         const auto run = std::ranges::find(outcome.runs, index, &study::TradeRun::setting);
         if (run == outcome.runs.end()) {
             row[2] = !outcome.failures[index].empty() ? "failed" : outcome.begun[index] ? "stopped" : "not run";

@@ -117,14 +117,33 @@ TEST(TradeSettings, AreFourSpacingsWithEachLevelAndTwoRepeatsCheapestFirst) {
             ElementsAre("particles.spacing=\"0.1005 mm\"", "quality=\"standard\"", "numerics.step_factor=0.47")));
 }
 
-TEST(TradeSettings, LeaveOutLevelsThatMakeTheSameRun) {
-    // The corrected scheme's levels set the Mach number and the walls' layers.
-    const TradeSettings all =
-        settings_of(good_scene, {"numerics.sound_speed=\"1 m/s\"", "numerics.mach_number=0.1", "part.wall.layers=3"});
+std::set<std::string> levels_of(const TradeSettings& all) {
     std::set<std::string> levels;
-    for (const TradeSetting& each : all.settings) levels.insert(to_string(each.quality));
-    EXPECT_THAT(levels, ElementsAre("standard"));
+    for (const TradeSetting& each : all.settings) levels.insert(each.level.text);
+    return levels;
+}
+
+TEST(TradeSettings, LeaveOutLevelsThatMakeTheSameRun) {
+    // The plain scheme's fine level sets the same as its standard one where all that it sets is given.
+    const TradeSettings all = settings_of(good_scene, {"numerics.mach_number=0.1", "part.wall.layers=3"});
+    EXPECT_THAT(levels_of(all), ElementsAre("standard"));
     EXPECT_THAT(all.settings, SizeIs(6));
+}
+
+TEST(TradeSettings, OfASceneThatGivesItsSpeedOfSoundHaveLowerOnes) {
+    const std::string scene = good_scene;
+    const TradeSettings all = settings_of(scene, {"numerics.sound_speed=\"8 m/s\"", "flow.largest_speed=\"0.5 m/s\""});
+    EXPECT_THAT(all.keys, ElementsAre("particles.spacing", "numerics.sound_speed", "numerics.step_factor"));
+    EXPECT_THAT(levels_of(all), ElementsAre("sound speed 4 m/s", "sound speed 8 m/s")) << "at 2 m/s: Mach 0.25";
+    EXPECT_THAT(all.settings, SizeIs(10));
+    EXPECT_THAT(all.overrides(all.settings.back()),
+                ElementsAre("particles.spacing=\"0.07071 mm\"", "numerics.sound_speed=\"8 m/s\""));
+    for (const TradeSetting& each : all.settings) {
+        EXPECT_EQ(each.level.rank, each.level.text == "sound speed 4 m/s" ? 4 : 8);
+        if (each.spacing_text == "0.1 mm") {
+            EXPECT_DOUBLE_EQ(each.cost, each.level.rank / 8);
+        }
+    }
 }
 
 TEST(TradeSettings, MakeAStudyOfTheirRunsInTheirOrder) {
@@ -151,7 +170,7 @@ struct Ladder {
         for (const double h : spacings) add(h, 1 + factor * std::pow(h, order), TradeRole::candidate);
     }
     void add(double spacing, double value, TradeRole role) {
-        settings.settings.push_back({spacing, "", Quality::standard, role, 1, {}});
+        settings.settings.push_back({spacing, "", {"standard", 1}, role, 1, {}});
         runs.push_back({runs.size(), 1, {TimeSeries{{0, 1}, {value, value}}}});
     }
     [[nodiscard]] study::TradeErrors errors() const {
@@ -209,7 +228,7 @@ TEST(TradeErrors, OfTheReferenceAreThoseOfFirstOrderByTheRunThatThereIs) {
 
 TEST(TradeErrors, HoldThatOfTheReferencesLevel) {
     Ladder ladder({1, 1.4, 2}, 0.1, 1);
-    for (auto& each : ladder.settings.settings) each.quality = Quality::draft;
+    for (auto& each : ladder.settings.settings) each.level.rank = 0;
     ladder.add(1.4, 1.2, TradeRole::candidate);  // of quality standard
     const auto errors = ladder.errors();
     EXPECT_EQ(errors.reference, 0U);
@@ -232,7 +251,7 @@ TEST(TradeErrors, AgainstAGivenReferenceAreThoseFromTheLimit) {
 TEST(TradeErrors, OfAGivenReferenceHaveTheConvergenceOfTheFinestRunsLevel) {
     Ladder ladder({0.5, 1, 0.25, 0.7}, 0.1, 1);
     ladder.add(0.125, 1.0125, TradeRole::reference);
-    ladder.settings.settings.back().quality = Quality::fine;  // which none of the others has
+    ladder.settings.settings.back().level.rank = 2;  // which none of the others has
     EXPECT_NEAR(ladder.errors().columns[0].order, 1, 1e-9);
 }
 
