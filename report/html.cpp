@@ -12,7 +12,9 @@ namespace dmp::report {
 std::string escaped(std::string_view text) {
     std::string result;
     result.reserve(text.size() + text.size() / 8);
-    for (const char c : text) {
+    constexpr std::string_view replacement = "\xEF\xBF\xBD";
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
         if (c == '&') {
             result += "&amp;";
         } else if (c == '<') {
@@ -24,12 +26,22 @@ std::string escaped(std::string_view text) {
         } else if (c == '\'') {
             result += "&#39;";
         } else if ((c >= 0 && c < ' ' && c != '\n' && c != '\t') || c == 0x7f) {
-            result += "\xEF\xBF\xBD";
+            result += replacement;
+        } else if (const auto code = text.substr(i, 3); code == "\xEF\xBF\xBE" || code == "\xEF\xBF\xBF") {
+            result += replacement;
+            i += 2;
         } else {
             result += c;
         }
     }
     return result;
+}
+
+std::string shortened(const std::string& text, std::size_t most) {
+    if (text.size() <= most) return text;
+    std::size_t end = most;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not within a character
+    return text.substr(0, end) + " ...";
 }
 
 std::string base64(std::string_view bytes) {

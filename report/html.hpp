@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,8 +10,11 @@
 namespace dmp::report {
 
 /// Text as it stands in an element or in a quoted attribute: whatever it holds shows as text. Control characters other
-/// than tabs and ends of lines become U+FFFD.
+/// than tabs and ends of lines, and U+FFFE and U+FFFF, which XML does not have, become U+FFFD.
 [[nodiscard]] std::string escaped(std::string_view text);
+
+/// At most so many bytes of a text in UTF-8, and where there were more, " ...".
+[[nodiscard]] std::string shortened(const std::string& text, std::size_t most);
 
 /// RFC 4648, with padding.
 [[nodiscard]] std::string base64(std::string_view bytes);

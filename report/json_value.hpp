@@ -19,6 +19,8 @@ class JsonValue {
     JsonValue(const Json* json, std::filesystem::path file, std::string name = "")
         : json_(json), file_(std::move(file)), name_(std::move(name)) {}
 
+    /// Throws the InputError that it is not as it should be: "'settings[2].error' is not a number".
+    [[noreturn]] void fail(const std::string& expected) const;
     /// Missing, too, where this one is.
     [[nodiscard]] JsonValue operator[](const std::string& key) const;
     [[nodiscard]] bool is_there() const { return json_ != nullptr; }
@@ -34,8 +36,6 @@ class JsonValue {
     [[nodiscard]] std::vector<std::pair<std::string, JsonValue>> members() const;
 
   private:
-    [[noreturn]] void fail(const std::string& expected) const;
-
     const Json* json_;  ///< null: missing
     std::filesystem::path file_;
     std::string name_;

@@ -192,6 +192,7 @@ StudyFiles read_study_files(const fs::path& folder) {
     read_rows(study);
     read_timing(study);
     read_pictures(study);
+    if (fs::is_regular_file(folder / trade_file_name)) study.trade = read_trade_facts(folder / trade_file_name);
     return study;
 }
 

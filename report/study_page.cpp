@@ -14,6 +14,7 @@
 #include "report/page_frame.hpp"
 #include "report/study_plots.hpp"
 #include "report/study_table.hpp"
+#include "report/trade_section.hpp"
 #include "report/write_report.hpp"
 
 namespace dmp::report {
@@ -176,14 +177,16 @@ std::string reproduce_section(const StudyFiles& study) {
 }  // namespace
 
 std::string study_page(const StudyFiles& study) {
-    Items anchors{{"what", "What was studied"}, {"plots", "Plots"}, {"runs", "Runs"}};
+    Items anchors;
+    if (study.trade) anchors.emplace_back("trade", "Cost and error");
+    anchors.insert(anchors.end(), {{"what", "What was studied"}, {"plots", "Plots"}, {"runs", "Runs"}});
     if (study.failed() > 0) anchors.emplace_back("failed", "Failed runs");
     if (!study.pictures.empty()) anchors.emplace_back("pictures", "Pictures");
     anchors.insert(anchors.end(), {{"time", "Time"}, {"reproduce", "How to run it again"}});
     const std::string text = head(study) + box("missing", "Not on this page", study.notes) + navigation(anchors) +
-                             what_was_studied(study) + study_plots_section(study) + runs_section(study) +
-                             failures_section(study) + pictures_section(study) + time_section(study) +
-                             reproduce_section(study);
+                             (study.trade ? trade_section(*study.trade) : "") + what_was_studied(study) +
+                             study_plots_section(study) + runs_section(study) + failures_section(study) +
+                             pictures_section(study) + time_section(study) + reproduce_section(study);
     PageScripts run;
     if (!study.rows.empty())
         run = {{{"page-data", study_data(study)}}, {plotting_library(), std::string(study_script)}};

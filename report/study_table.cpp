@@ -24,13 +24,6 @@ constexpr std::size_t most_error_length = 300;
 /// Null for what is missing.
 Json rounded(double value) { return std::isfinite(value) ? Json(std::stod(fmt::format("{:.7g}", value))) : Json(); }
 
-std::string shortened(const std::string& text) {
-    if (text.size() <= most_error_length) return text;
-    std::size_t end = most_error_length;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not within a character
-    return text.substr(0, end) + " ...";
-}
-
 Json columns_of_keys(const StudyFiles& study, const std::vector<std::size_t>& rows) {
     Json keys = Json::array();
     for (std::size_t k = 0; k < study.facts.keys.size(); ++k) {
@@ -72,7 +65,7 @@ std::string study_data(const StudyFiles& study) {
         runs.push_back(row.run);
         pages += row.has_page ? '1' : '0';
         if (!row.failed()) continue;
-        const std::string error = shortened(row.error);
+        const std::string error = shortened(row.error, most_error_length);
         const auto [at, is_new] = known.emplace(error, errors.size());
         if (is_new) errors.push_back(error);
         failures[std::to_string(k)] = {row.exit_code, at->second};

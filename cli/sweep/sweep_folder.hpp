@@ -14,8 +14,6 @@ namespace dmp::cli {
 
 /// What says of which study the runs in a folder are.
 inline constexpr const char* sweep_file_name = "sweep.toml";
-/// What a trade has found, in the folder of its study (cli/trade/).
-inline constexpr const char* trade_file_name = "trade.json";
 /// Copies of the study and of its scene, to look at.
 inline constexpr const char* study_copy_name = "study.toml";
 inline constexpr const char* scene_copy_name = "scene.toml";

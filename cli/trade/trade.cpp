@@ -28,6 +28,7 @@
 #include "cli/trade/trade_outcome.hpp"
 #include "cli/trade/trade_request.hpp"
 #include "cli/uses.hpp"
+#include "report/trade_facts.hpp"
 #include "study/read_study.hpp"
 
 namespace dmp::cli {
@@ -72,18 +73,20 @@ int close(const TradeCommand& command, const TradeRequest& trade, const SweepRow
     const fs::path& folder = rows.folder().path();
     TradeOutcome outcome = trade_outcome(folder, trade.read, trade.settings, rows.points(), trade.comparison);
     outcome.scene_path = command.scene;
+    outcome.scene_name = scene_name(trade.read);
     outcome.identity = trade.identity;
     outcome.common = command.overrides;
     outcome.until = *trade.read.run.duration;
     outcome.duration = trade.duration;
-    const std::string page = write_sweep_page(folder, rows.study(), rows.points());
-    if (outcome.is_known()) {
-        write_trade(folder, outcome);
-        print(trade_text(outcome, trade.tolerances, command.typed.program()));
-    }
+    if (outcome.is_known()) write_trade(folder, outcome);
+    const std::string page = write_sweep_page(folder, rows.study(), rows.points());  // shows the trade, too
+    if (outcome.is_known()) print(trade_text(outcome, trade.tolerances, command.typed.program()));
     Listing list;
     if (!page.empty()) list.add("look", page);
-    if (outcome.is_known()) list.add((folder / trade_file_name).string(), "all errors and costs, for programs");
+    if (outcome.is_known()) {
+        list.add((folder / trade_picture_name).string(), "the picture of cost and error");
+        list.add((folder / trade_file_name).string(), "all errors and costs, for programs");
+    }
     list.add((folder / "runs").string(), "a folder for each run");
     print(Style(Stream::output).strong("Results") + "\n" + list.text());
     if (signals.flag()) {

@@ -1,14 +1,14 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// trade.json, for programs.
+// trade.json, for programs, and its picture.
 #include <algorithm>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "base/safe_file.hpp"
-#include "cli/sweep/sweep_folder.hpp"
 #include "cli/trade/trade_outcome.hpp"
 #include "cli/version.hpp"
+#include "report/trade_picture.hpp"
 
 namespace dmp::cli {
 
@@ -55,6 +55,7 @@ Json of_setting(const TradeOutcome& outcome, std::size_t index) {
 void write_trade(const std::filesystem::path& folder, const TradeOutcome& outcome) {
     Json json;
     json["scene"] = outcome.scene_path;
+    json["name"] = outcome.scene_name;
     json["identity"] = outcome.identity;
     json["version"] = build_facts().version;
     json["set_in_all"] = outcome.common;
@@ -67,6 +68,7 @@ void write_trade(const std::filesystem::path& folder, const TradeOutcome& outcom
         json["settings"].push_back(of_setting(outcome, index));
     for (const std::size_t r : outcome.front()) json["front"].push_back(outcome.names[outcome.runs[r].setting]);
     write_file(folder / trade_file_name, json.dump(2) + "\n");
+    write_trade_picture(folder);
 }
 
 }  // namespace dmp::cli

@@ -29,6 +29,7 @@ struct TradeComparison {
 /// What a trade has found, of the runs that have ended.
 struct TradeOutcome {
     std::string scene_path;           ///< as given
+    std::string scene_name;           ///< for people
     std::string identity;             ///< study::trade_identity of it
     std::vector<std::string> common;  ///< what is set in all runs, "key=value", besides the duration
     double until = 0, duration = 0;   ///< of the runs of the trade, and of the scene [s]
@@ -60,7 +61,7 @@ struct TradeOutcome {
 [[nodiscard]] std::string trade_text(const TradeOutcome& outcome, const std::vector<double>& tolerances,
                                      const std::string& program);
 
-/// trade.json.
+/// trade.json and trade.svg.
 void write_trade(const std::filesystem::path& folder, const TradeOutcome& outcome);
 
 }  // namespace dmp::cli

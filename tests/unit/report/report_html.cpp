@@ -15,6 +15,18 @@ TEST(Html, NothingInATextIsMarkup) {
               "&lt;script&gt;a &amp;&amp; &quot;b&quot; &#39;c&#39;&lt;/script&gt;");
     EXPECT_EQ(escaped("tab\tline\nbell\a\x7f"), "tab\tline\nbell\xEF\xBF\xBD\xEF\xBF\xBD");
     EXPECT_EQ(escaped("\xC3\xA9t\xC3\xA9"), "\xC3\xA9t\xC3\xA9") << "UTF-8 stays";
+    EXPECT_EQ(escaped("a\xEF\xBF\xBE"
+                      "b\xEF\xBF\xBF"),
+              "a\xEF\xBF\xBD"
+              "b\xEF\xBF\xBD")
+        << "not in XML";
+    EXPECT_EQ(escaped("\xEF\xBF\xBD\xEF\xBF"), "\xEF\xBF\xBD\xEF\xBF");
+}
+
+TEST(Html, LongTextsAreCutBetweenCharacters) {
+    EXPECT_EQ(shortened("abc", 3), "abc");
+    EXPECT_EQ(shortened("abcd", 3), "abc ...");
+    EXPECT_EQ(shortened("ab\xC3\xA9t", 3), "ab ...");
 }
 
 TEST(Html, Base64IsThatOfTheStandard) {  // RFC 4648, section 10

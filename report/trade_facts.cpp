@@ -1,0 +1,102 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/trade_facts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/errors.hpp"
+#include "report/json_value.hpp"
+
+namespace dmp::report {
+
+namespace {
+
+std::vector<std::string> texts(const JsonValue& list) {
+    std::vector<std::string> all;
+    for (const JsonValue& each : list.elements()) all.push_back(each.text());
+    return all;
+}
+
+/// 0 or more; NaN where it is missing or null.
+double number_from_0(const JsonValue& json) {
+    const double value = json.number();
+    if (value < 0) json.fail("0 or more");
+    return value;
+}
+
+TradeLevel level_of(const JsonValue& json) {
+    const auto& names = enum_names<TradeLevel>;
+    const auto found = std::ranges::find(names, json.text());
+    if (found == names.end()) json.fail("draft, standard or fine");
+    return static_cast<TradeLevel>(found - names.begin());
+}
+
+TradeFacts::Setting setting_of(const JsonValue& json) {
+    TradeFacts::Setting setting;
+    setting.run = json["run"].text();
+    setting.set = texts(json["set"]);
+    setting.spacing = number_from_0(json["spacing_m"]);
+    setting.level = level_of(json["quality"]);
+    setting.is_repeat = json["is_repeat"].truth();
+    setting.is_reference_given = json["is_reference_given"].truth();
+    setting.failure = json["failure"].text();
+    setting.has_ended = json["error"].is_there();
+    setting.cost = number_from_0(json["processor_s"]);
+    setting.error = number_from_0(json["error"]);
+    setting.error_is_of = json["error_is_of"].text();
+    return setting;
+}
+
+std::size_t setting_named(const TradeFacts& facts, const JsonValue& name) {
+    const auto found = std::ranges::find(facts.settings, name.text(), &TradeFacts::Setting::run);
+    if (found == facts.settings.end()) name.fail("the run of one of its settings");
+    return static_cast<std::size_t>(found - facts.settings.begin());
+}
+
+}  // namespace
+
+bool TradeFacts::is_on_front(std::size_t setting) const { return std::ranges::find(front, setting) != front.end(); }
+
+std::optional<std::size_t> TradeFacts::cheapest_within(double error) const {
+    const auto found = std::ranges::find_if(front, [&](std::size_t each) { return settings[each].error <= error; });
+    if (found == front.end()) return {};
+    return *found;
+}
+
+std::optional<std::size_t> TradeFacts::best() const {
+    std::optional<std::size_t> best;
+    for (std::size_t index = 0; index < settings.size(); ++index)
+        if (settings[index].is_candidate() && !std::isnan(settings[index].error) &&
+            (!best || settings[index].error < settings[*best].error))
+            best = index;
+    return best;
+}
+
+TradeFacts read_trade_facts(const std::filesystem::path& file) {
+    const JsonValue::Json document = read_json_object(file);
+    const JsonValue json(&document, file);
+    TradeFacts facts;
+    facts.scene = json["scene"].text();
+    facts.name = json["name"].text();
+    if (facts.name.empty()) facts.name = facts.scene;
+    facts.set_in_all = texts(json["set_in_all"]);
+    facts.simulated = number_from_0(json["simulated_s"]);
+    facts.duration = number_from_0(json["duration_s"]);
+    for (const JsonValue& measure : json["measures"].elements())
+        facts.measures.push_back({measure["name"].text(), number_from_0(measure["scatter"])});
+    if (!json["settings"].is_there()) json["settings"].fail("there");
+    for (const JsonValue& setting : json["settings"].elements()) facts.settings.push_back(setting_of(setting));
+    for (const JsonValue& name : json["front"].elements()) facts.front.push_back(setting_named(facts, name));
+    if (json["reference"].is_there()) facts.reference = setting_named(facts, json["reference"]);
+    return facts;
+}
+
+std::string two_digits(double value) {
+    return value >= 99.5 && value < 1e5 ? fmt::format("{:.0f}", value) : fmt::format("{:.2g}", value);
+}
+
+std::string error_text(double error) { return std::isfinite(error) ? two_digits(100 * error) + " %" : "not known"; }
+
+}  // namespace dmp::report
