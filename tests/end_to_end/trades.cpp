@@ -68,7 +68,14 @@ TEST_F(Trades, SayWhatEachSettingCostsAndHowWrongItIs) {
     EXPECT_EQ(found["settings"][5]["distance"]["inlet_flux"]["whole"], 0);
     EXPECT_EQ(found["settings"][5]["set"],
               nlohmann::json::array({"particles.spacing=\"0.2828 mm\"", "numerics.sound_speed=\"3 m/s\""}));
-    EXPECT_TRUE(fs::exists(folder_.path() / "out/report.html"));
+    const std::string picture = folder_.read("out/trade.svg"), page = folder_.read("out/report.html");
+    EXPECT_THAT(picture, AllOf(HasSubstr("error over processor time of 0.06 s simulated"), HasSubstr(">0.28 mm</text>"),
+                               HasSubstr(">" + folder_.path().filename().string() + "</text>")));
+    EXPECT_THAT(page, AllOf(HasSubstr("<h2 id=\"trade-heading\">Cost and error</h2>"), HasSubstr(picture),
+                            HasSubstr("--set &#39;particles.spacing=&quot;")));
+    fs::remove(folder_.path() / "out/report.html");
+    EXPECT_EQ(run_dmp(folder_.path(), {"report", "out"}).code, 0);
+    EXPECT_EQ(folder_.read("out/report.html"), page) << "of what lies in the folder";
 
     EXPECT_THAT(trade({"--out", "out"}).errors, HasSubstr("it holds this study, 6 of 6 runs done"));
     const Outcome again = trade({"--out", "out", "--measures", "inlet_flux", "--resume"});
@@ -154,7 +161,8 @@ TEST_F(Trades, TakeASpacingThatIsSetAndFoldersAnywhere) {
     EXPECT_EQ(result("out")["duration_s"], 1.0);
     const Outcome anew = trade({"--out", "out", "--overwrite", "--budget", "1 ms"});
     EXPECT_EQ(anew.code, 2);
-    EXPECT_FALSE(fs::exists(folder_.path() / "out/trade.json")) << "that of the trade that was removed";
+    for (const char* name : {"trade.json", "trade.svg"})
+        EXPECT_FALSE(fs::exists(folder_.path() / "out" / name)) << "that of the trade that was removed";
 }
 
 TEST_F(Trades, NeedTwoSettingsThatEnd) {

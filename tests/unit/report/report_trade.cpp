@@ -85,7 +85,7 @@ TEST(LogAxis, HasRoundTimesInTheUnitThatSuitsThem) {
 TEST(LogAxis, HasPercents) {
     EXPECT_THAT(texts_of(LogAxis({0.01, 0.2}, 300, 0).percents(18)), ElementsAre("1 %", "2 %", "5 %", "10 %", "20 %"));
     EXPECT_THAT(texts_of(LogAxis({1e-6, 0.1}, 300, 0).percents(18)),
-                ElementsAre("1e-4 %", "0.001 %", "0.01 %", "0.1 %", "1 %", "10 %"))
+                ElementsAre("1e-4 %", "1e-3 %", "0.01 %", "0.1 %", "1 %", "10 %"))
         << "fewer where there is less room";
 }
 
