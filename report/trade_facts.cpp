@@ -59,6 +59,12 @@ std::size_t setting_named(const TradeFacts& facts, const JsonValue& name) {
 
 bool TradeFacts::is_on_front(std::size_t setting) const { return std::ranges::find(front, setting) != front.end(); }
 
+double TradeFacts::largest_spacing() const {
+    double largest = 0;
+    for (const Setting& each : settings) largest = std::max(largest, each.spacing);
+    return largest;
+}
+
 std::optional<std::size_t> TradeFacts::cheapest_within(double error) const {
     const auto found = std::ranges::find_if(front, [&](std::size_t each) { return settings[each].error <= error; });
     if (found == front.end()) return {};

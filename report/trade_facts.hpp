@@ -63,6 +63,8 @@ struct TradeFacts {
     std::optional<std::size_t> reference;  ///< the setting that all are compared with
 
     [[nodiscard]] bool is_on_front(std::size_t setting) const;
+    /// [m]; 0: the scene has no spacing. All are shown in the unit that suits it.
+    [[nodiscard]] double largest_spacing() const;
     /// The cheapest setting with at most this error.
     [[nodiscard]] std::optional<std::size_t> cheapest_within(double error) const;
     /// The one that may be advised with the smallest error; none where no error is known.

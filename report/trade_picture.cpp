@@ -98,9 +98,10 @@ double width_of(const std::string& words, double size) {
     return 0.62 * size * static_cast<double>(characters);
 }
 
-std::string label_of(const TradeFacts::Setting& setting) {
+/// `largest`: spacing of all [m].
+std::string label_of(const TradeFacts::Setting& setting, double largest) {
     if (setting.spacing <= 0) return to_string(setting.level);
-    const LengthUnit unit = length_unit(setting.spacing);
+    const LengthUnit unit = length_unit(largest);
     return two_digits(setting.spacing / unit.metres) + " " + unit.name;
 }
 
@@ -112,7 +113,10 @@ bool can_be_shown(const TradeFacts::Setting& setting) {
 class Plot {
   public:
     explicit Plot(const TradeFacts& trade)
-        : trade_(trade), costs_(shown_costs(trade), left, right), errors_(shown_errors(trade), bottom, top) {
+        : trade_(trade),
+          largest_spacing_(trade.largest_spacing()),
+          costs_(shown_costs(trade), left, right),
+          errors_(shown_errors(trade), bottom, top) {
         for (std::size_t index = 0; index < trade.settings.size(); ++index)
             if (can_be_shown(trade.settings[index])) points_.push_back({index, place_of(trade.settings[index])});
     }
@@ -211,7 +215,7 @@ class Plot {
         for (const Point& each : points_) {
             const double radius = is_reference(each) ? ring_radius + 1 : mark_radius + 2;
             obstacles.marks.push_back({each.at.x - radius, each.at.y - radius, each.at.x + radius, each.at.y + radius});
-            widths.push_back(width_of(label_of(setting(each)), label_size));
+            widths.push_back(width_of(label_of(setting(each), largest_spacing_), label_size));
         }
         const std::vector<PictureBox> places = label_places(obstacles, widths, label_size + 2);
         std::string all;
@@ -227,7 +231,7 @@ class Plot {
             const bool is_right = place.left > at.x, is_left = place.right < at.x;
             const Align align = is_right ? Align::start : is_left ? Align::end : Align::middle;
             const double x = is_right ? place.left : is_left ? place.right : place.centre().x;
-            all += text({x, place.bottom - 3}, label_of(setting(points_[k])), align,
+            all += text({x, place.bottom - 3}, label_of(setting(points_[k]), largest_spacing_), align,
                         fmt::format(" class=\"label\" font-size=\"{}\" fill=\"{}\" stroke=\"#ffffff\" "
                                     "stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
                                     label_size, dark));
@@ -239,7 +243,8 @@ class Plot {
         std::string all;
         for (const Point& each : points_) {
             const TradeFacts::Setting& of = setting(each);
-            const std::string name = (of.spacing > 0 ? length_text(of.spacing) + ", " : "") + to_string(of.level);
+            const std::string name =
+                (of.spacing > 0 ? length_text(of.spacing, largest_spacing_) + ", " : "") + to_string(of.level);
             const std::string measure = of.error_is_of.empty() ? "" : " of " + of.error_is_of;
             all += fmt::format("<g class=\"mark\"><title>{}: {}, error {}{}</title>{}</g>\n", name,
                                wall_time_text(of.cost), error_text(of.error), escaped(shortened(measure, longest_path)),
@@ -250,6 +255,7 @@ class Plot {
     }
 
     const TradeFacts& trade_;
+    double largest_spacing_;
     LogAxis costs_, errors_;
     std::vector<Point> points_;
 };

@@ -18,11 +18,9 @@ namespace {
 
 using Setting = TradeFacts::Setting;
 
-std::string spacing_of(const Setting& setting) { return setting.spacing > 0 ? length_text(setting.spacing) : "-"; }
-
-/// "0.1414 mm, fine"
-std::string name_of_setting(const Setting& setting) {
-    return (setting.spacing > 0 ? length_text(setting.spacing) + ", " : "") + to_string(setting.level);
+/// "0.1414 mm, fine". `largest`: spacing of all [m].
+std::string name_of_setting(const Setting& setting, double largest) {
+    return (setting.spacing > 0 ? length_text(setting.spacing, largest) + ", " : "") + to_string(setting.level);
 }
 
 std::string remark_on(const TradeFacts& trade, std::size_t index) {
@@ -44,10 +42,11 @@ std::vector<std::string> findings_of(const Setting& setting) {
 
 std::string settings_table(const TradeFacts& trade) {
     std::vector<std::vector<std::string>> rows;
+    const double largest = trade.largest_spacing();
     for (std::size_t index = 0; index < trade.settings.size(); ++index) {
         const Setting& setting = trade.settings[index];
-        std::vector<std::string>& row =
-            rows.emplace_back(std::vector<std::string>{spacing_of(setting), to_string(setting.level)});
+        std::vector<std::string>& row = rows.emplace_back(std::vector<std::string>{
+            setting.spacing > 0 ? length_text(setting.spacing, largest) : "-", to_string(setting.level)});
         for (std::string& cell : findings_of(setting)) row.push_back(std::move(cell));
         row.push_back(remark_on(trade, index));
     }
@@ -84,7 +83,7 @@ std::string advice(const TradeFacts& trade) {
             const Setting& setting = trade.settings[*index];
             const double whole = setting.cost * trade.duration / trade.simulated;
             words =
-                name_of_setting(setting) + ", with an error of " + error_text(setting.error) +
+                name_of_setting(setting, trade.largest_spacing()) + ", with an error of " + error_text(setting.error) +
                 (std::isfinite(whole) ? "; the whole scene takes about " + wall_time_text(whole) + " of one processor."
                                       : ".");
         }

@@ -234,6 +234,15 @@ TEST(PictureOfATrade, WithoutSpacingIsLabelledByLevel) {
     EXPECT_THAT(svg, AllOf(HasSubstr("<title>draft: 7 s, error 20 % of flux</title>"), Not(HasSubstr(" mm<"))));
 }
 
+TEST(PictureOfATrade, HasAllSpacingsInOneUnit) {
+    TradeFacts trade = valve();
+    for (TradeFacts::Setting& each : trade.settings) each.spacing /= 4;
+    const std::string svg = trade_picture(trade), html = trade_section(trade);
+    EXPECT_THAT(svg, AllOf(HasSubstr(">0.1 mm</text>"), HasSubstr(">0.05 mm</text>"), HasSubstr(">0.035 mm</text>"),
+                           HasSubstr("<title>0.03535 mm, fine: ")));
+    EXPECT_THAT(html, AllOf(HasSubstr("<th scope=\"row\">0.03535 mm</th>"), HasSubstr("For 5 %: 0.03535 mm, fine, ")));
+}
+
 TEST(PictureOfATrade, OfTooManySettingsHasNoLabels) {
     TradeFacts trade = valve();
     trade.settings.resize(20'000, trade.settings[1]);
