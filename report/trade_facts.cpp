@@ -26,19 +26,18 @@ double number_from_0(const JsonValue& json) {
     return value;
 }
 
-TradeLevel level_of(const JsonValue& json) {
-    const auto& names = enum_names<TradeLevel>;
-    const auto found = std::ranges::find(names, json.text());
-    if (found == names.end()) json.fail("draft, standard or fine");
-    return static_cast<TradeLevel>(found - names.begin());
+std::size_t level_of(const JsonValue& json, const std::vector<std::string>& levels) {
+    const auto found = std::ranges::find(levels, json.text());
+    if (found == levels.end()) json.fail("one of its levels");
+    return static_cast<std::size_t>(found - levels.begin());
 }
 
-TradeFacts::Setting setting_of(const JsonValue& json) {
+TradeFacts::Setting setting_of(const JsonValue& json, const std::vector<std::string>& levels) {
     TradeFacts::Setting setting;
     setting.run = json["run"].text();
     setting.set = texts(json["set"]);
     setting.spacing = number_from_0(json["spacing_m"]);
-    setting.level = level_of(json["quality"]);
+    setting.level = level_of(json["level"], levels);
     setting.is_repeat = json["is_repeat"].truth();
     setting.is_reference_given = json["is_reference_given"].truth();
     setting.failure = json["failure"].text();
@@ -92,8 +91,10 @@ TradeFacts read_trade_facts(const std::filesystem::path& file) {
     facts.duration = number_from_0(json["duration_s"]);
     for (const JsonValue& measure : json["measures"].elements())
         facts.measures.push_back({measure["name"].text(), number_from_0(measure["scatter"])});
+    facts.levels = texts(json["levels"]);
     if (!json["settings"].is_there()) json["settings"].fail("there");
-    for (const JsonValue& setting : json["settings"].elements()) facts.settings.push_back(setting_of(setting));
+    for (const JsonValue& setting : json["settings"].elements())
+        facts.settings.push_back(setting_of(setting, facts.levels));
     for (const JsonValue& name : json["front"].elements()) facts.front.push_back(setting_named(facts, name));
     if (json["reference"].is_there()) facts.reference = setting_named(facts, json["reference"]);
     return facts;

@@ -6,10 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
-
-#include "base/enum_names.hpp"
 
 namespace dmp::report {
 
@@ -20,25 +17,13 @@ inline constexpr const char* trade_picture_name = "trade.svg";
 /// The errors that a trade's page finds a setting for.
 inline constexpr std::array<double, 3> trade_tolerances{0.01, 0.05, 0.1};
 
-/// The quality of a run, as trade.json names it.
-enum class TradeLevel { draft, standard, fine };
-
-}  // namespace dmp::report
-
-namespace dmp {
-template <>
-inline constexpr auto enum_names<report::TradeLevel> = std::to_array<std::string_view>({"draft", "standard", "fine"});
-}  // namespace dmp
-
-namespace dmp::report {
-
 /// What a trade has found of its settings, as trade.json has it.
 struct TradeFacts {
     struct Setting {
         std::string run;
         std::vector<std::string> set;  ///< what --set takes for it
         double spacing = 0;            ///< of the particles [m]; 0: the scene has none
-        TradeLevel level = TradeLevel::standard;
+        std::size_t level = 0;         ///< of `levels`
         bool is_repeat = false, is_reference_given = false;
         std::string failure;  ///< "": it has not failed
         bool has_ended = false;
@@ -58,10 +43,12 @@ struct TradeFacts {
     std::vector<std::string> set_in_all;  ///< what --set takes, of all settings
     double simulated = 0, duration = 0;   ///< of the runs of the trade, and of the scene [s]; NaN: not known
     std::vector<Measure> measures;
+    std::vector<std::string> levels;  ///< at one spacing: "draft"; the least accurate one first
     std::vector<Setting> settings;
     std::vector<std::size_t> front;        ///< settings that no other beats in cost and error, cheapest first
     std::optional<std::size_t> reference;  ///< the setting that all are compared with
 
+    [[nodiscard]] const std::string& level_of(const Setting& setting) const { return levels[setting.level]; }
     [[nodiscard]] bool is_on_front(std::size_t setting) const;
     /// [m]; 0: the scene has no spacing. All are shown in the unit that suits it.
     [[nodiscard]] double largest_spacing() const;

@@ -28,32 +28,24 @@ constexpr const char *dark = "#1b1f24", *soft = "#57606a", *grid = "#e8ebef", *f
 constexpr std::size_t most_labels = 100, longest_name = 56, longest_path = 80;
 
 /// Okabe and Ito's colours, which the colour-blind tell apart.
-const char* colour_of(TradeLevel level) {
-    switch (level) {
-        case TradeLevel::draft:
-            return "#d55e00";
-        case TradeLevel::standard:
-            return "#0072b2";
-        case TradeLevel::fine:
-            return "#009e73";
-    }
-    unlisted_value(level);
+const char* colour_of(std::size_t level) {
+    constexpr std::array colours{"#d55e00", "#0072b2", "#009e73"};
+    return colours[level % colours.size()];
 }
 
-/// A shape of its own for each level.
-std::string outline_of(TradeLevel level, PicturePoint at) {
-    switch (level) {
-        case TradeLevel::draft:
+/// A shape of its own for each of three levels.
+std::string outline_of(std::size_t level, PicturePoint at) {
+    switch (level % 3) {
+        case 0:
             return fmt::format("<path d=\"M{:.1f} {:.1f}l6 10.4h-12z\"", at.x, at.y - 6.6);
-        case TradeLevel::standard:
+        case 1:
             return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"", at.x, at.y, mark_radius);
-        case TradeLevel::fine:
+        default:
             return fmt::format("<path d=\"M{:.1f} {:.1f}h9v9h-9z\"", at.x - 4.5, at.y - 4.5);
     }
-    unlisted_value(level);
 }
 
-std::string mark(TradeLevel level, PicturePoint at, bool is_filled) {
+std::string mark(std::size_t level, PicturePoint at, bool is_filled) {
     const char* colour = colour_of(level);
     return fmt::format("{} fill=\"{}\" stroke=\"{}\" stroke-width=\"1.8\" stroke-linejoin=\"round\"/>",
                        outline_of(level, at), is_filled ? colour : "#ffffff", colour);
@@ -99,8 +91,8 @@ double width_of(const std::string& words, double size) {
 }
 
 /// `largest`: spacing of all [m].
-std::string label_of(const TradeFacts::Setting& setting, double largest) {
-    if (setting.spacing <= 0) return to_string(setting.level);
+std::string label_of(const TradeFacts& trade, const TradeFacts::Setting& setting, double largest) {
+    if (setting.spacing <= 0) return trade.level_of(setting);
     const LengthUnit unit = length_unit(largest);
     return two_digits(setting.spacing / unit.metres) + " " + unit.name;
 }
@@ -122,7 +114,7 @@ class Plot {
     }
 
     [[nodiscard]] bool is_empty() const { return points_.empty(); }
-    [[nodiscard]] bool has_level(TradeLevel level) const {
+    [[nodiscard]] bool has_level(std::size_t level) const {
         return std::ranges::any_of(points_, [&](const Point& each) { return setting(each).level == level; });
     }
     [[nodiscard]] bool has_reference() const {
@@ -215,7 +207,7 @@ class Plot {
         for (const Point& each : points_) {
             const double radius = is_reference(each) ? ring_radius + 1 : mark_radius + 2;
             obstacles.marks.push_back({each.at.x - radius, each.at.y - radius, each.at.x + radius, each.at.y + radius});
-            widths.push_back(width_of(label_of(setting(each), largest_spacing_), label_size));
+            widths.push_back(width_of(label_of(trade_, setting(each), largest_spacing_), label_size));
         }
         const std::vector<PictureBox> places = label_places(obstacles, widths, label_size + 2);
         std::string all;
@@ -231,7 +223,7 @@ class Plot {
             const bool is_right = place.left > at.x, is_left = place.right < at.x;
             const Align align = is_right ? Align::start : is_left ? Align::end : Align::middle;
             const double x = is_right ? place.left : is_left ? place.right : place.centre().x;
-            all += text({x, place.bottom - 3}, label_of(setting(points_[k]), largest_spacing_), align,
+            all += text({x, place.bottom - 3}, label_of(trade_, setting(points_[k]), largest_spacing_), align,
                         fmt::format(" class=\"label\" font-size=\"{}\" fill=\"{}\" stroke=\"#ffffff\" "
                                     "stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
                                     label_size, dark));
@@ -244,7 +236,7 @@ class Plot {
         for (const Point& each : points_) {
             const TradeFacts::Setting& of = setting(each);
             const std::string name =
-                (of.spacing > 0 ? length_text(of.spacing, largest_spacing_) + ", " : "") + to_string(of.level);
+                (of.spacing > 0 ? length_text(of.spacing, largest_spacing_) + ", " : "") + trade_.level_of(of);
             const std::string measure = of.error_is_of.empty() ? "" : " of " + of.error_is_of;
             all += fmt::format("<g class=\"mark\"><title>{}: {}, error {}{}</title>{}</g>\n", name,
                                wall_time_text(of.cost), error_text(of.error), escaped(shortened(measure, longest_path)),
@@ -260,7 +252,7 @@ class Plot {
     std::vector<Point> points_;
 };
 
-std::string legend(const Plot& plot) {
+std::string legend(const TradeFacts& trade, const Plot& plot) {
     double x = left;
     const double y = top - 24;
     std::string all;
@@ -268,9 +260,8 @@ std::string legend(const Plot& plot) {
         all += symbol + text({x + symbol_width, y + 4.5}, words, Align::start);
         x += symbol_width + width_of(words, text_size) + 20;
     };
-    for (std::size_t k = 0; k < enum_names<TradeLevel>.size(); ++k)
-        if (const auto level = static_cast<TradeLevel>(k); plot.has_level(level))
-            add(mark(level, {x + 6, y}, true), 17, to_string(level));
+    for (std::size_t level = 0; level < trade.levels.size(); ++level)
+        if (plot.has_level(level)) add(mark(level, {x + 6, y}, true), 17, trade.levels[level]);
     if (plot.is_empty()) return all;
     add(line({x, y}, {x + 22, y}, frame, " stroke-width=\"1.6\"") +
             fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>", x + 11, y, soft),
@@ -311,7 +302,7 @@ std::string trade_picture(const TradeFacts& trade) {
     all +=
         text({left, 30}, name, Align::start, fmt::format(" font-size=\"16\" font-weight=\"600\" fill=\"{}\"", dark)) +
         text({left, 50}, what, Align::start);
-    all += legend(plot) + plot.svg();
+    all += legend(trade, plot) + plot.svg();
     for (std::size_t k = 0; k < below.size(); ++k)
         all += text({left, bottom + 62 + line_height * static_cast<double>(k)}, below[k], Align::start);
     return all + "</svg>\n";

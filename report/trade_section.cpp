@@ -19,8 +19,8 @@ namespace {
 using Setting = TradeFacts::Setting;
 
 /// "0.1414 mm, fine". `largest`: spacing of all [m].
-std::string name_of_setting(const Setting& setting, double largest) {
-    return (setting.spacing > 0 ? length_text(setting.spacing, largest) + ", " : "") + to_string(setting.level);
+std::string name_of_setting(const TradeFacts& trade, const Setting& setting, double largest) {
+    return (setting.spacing > 0 ? length_text(setting.spacing, largest) + ", " : "") + trade.level_of(setting);
 }
 
 std::string remark_on(const TradeFacts& trade, std::size_t index) {
@@ -46,11 +46,11 @@ std::string settings_table(const TradeFacts& trade) {
     for (std::size_t index = 0; index < trade.settings.size(); ++index) {
         const Setting& setting = trade.settings[index];
         std::vector<std::string>& row = rows.emplace_back(std::vector<std::string>{
-            setting.spacing > 0 ? length_text(setting.spacing, largest) : "-", to_string(setting.level)});
+            setting.spacing > 0 ? length_text(setting.spacing, largest) : "-", trade.level_of(setting)});
         for (std::string& cell : findings_of(setting)) row.push_back(std::move(cell));
         row.push_back(remark_on(trade, index));
     }
-    return table("Settings", {"spacing", "quality", "processor time", "error", "of", ""}, rows, 6);
+    return table("Settings", {"spacing", "level", "processor time", "error", "of", ""}, rows, 6);
 }
 
 std::string command_of(const TradeFacts& trade, const Setting& setting) {
@@ -83,7 +83,8 @@ std::string advice(const TradeFacts& trade) {
             const Setting& setting = trade.settings[*index];
             const double whole = setting.cost * trade.duration / trade.simulated;
             words =
-                name_of_setting(setting, trade.largest_spacing()) + ", with an error of " + error_text(setting.error) +
+                name_of_setting(trade, setting, trade.largest_spacing()) + ", with an error of " +
+                error_text(setting.error) +
                 (std::isfinite(whole) ? "; the whole scene takes about " + wall_time_text(whole) + " of one processor."
                                       : ".");
         }

@@ -234,7 +234,7 @@ std::vector<Key<Numerics>> numerics_keys() {
          "Speed of sound of the fluid. \"auto\" derives it from numerics.mach_number, flow.largest_speed and the "
          "largest pressure."},
         {"mach_number", &Numerics::mach_number, number(Range{0.01, 0.3, false, {}}),
-         ByScheme{{"0.15", "0.1", "0.05"}, {"0.15", "0.1", "0.1"}},
+         ByScheme{{"0.3", "0.1", "0.05"}, {"0.15", "0.1", "0.1"}},
          "Largest speed divided by the speed of sound, if that is \"auto\"; the density varies by about its square."},
         {"walls", &Numerics::walls, one_of<WallModel>(), "extrapolated",
          "Wall particles: \"extrapolated\" takes their pressure and velocity from the fluid, \"plain\" treats them "

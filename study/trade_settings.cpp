@@ -33,19 +33,6 @@ constexpr const char* quality_key = "quality";
 constexpr const char* sound_key = "numerics.sound_speed";
 constexpr const char* step_key = "numerics.step_factor";
 
-/// Steps of the corrected scheme go so.
-double steps_of(Quality quality) {
-    switch (quality) {
-        case Quality::draft:
-            return 2.0 / 3;
-        case Quality::standard:
-            return 1;
-        case Quality::fine:
-            return 2;
-    }
-    unlisted_value(quality);
-}
-
 /// Of a speed of sound that the scene gives; down to this Mach number of the largest speed that it expects.
 constexpr std::array sound_factors{1.0, 0.5, 0.25};
 constexpr double largest_mach = 0.15;
@@ -100,7 +87,7 @@ std::map<std::string, std::string> common_values(const TradeScene& scene, const 
     for (const std::string& each : scene.overrides) {
         const auto equals = each.find('=');
         const std::string key = trimmed(each.substr(0, equals));
-        if (key == "run.threads" || std::ranges::find(settings.keys, key) != settings.keys.end()) continue;
+        if (key == "run.threads" || settings.sets(each)) continue;
         values[key] = toml_text(parse_toml_value(each.substr(equals + 1), {}));
     }
     return values;
@@ -135,8 +122,9 @@ struct LevelOfScene {
 std::vector<LevelOfScene> levels_of_quality(const TradeScene& scene) {
     std::vector<LevelOfScene> levels;
     for (const auto& [quality, at_level] : different_levels(scene))
-        levels.push_back({level_of_quality(quality), toml_quoted(to_string(quality)), steps_of(quality),
-                          *at_level.numerics.step_factor});
+        // Steps are by the speed of sound and that of the flow.
+        levels.push_back({level_of_quality(quality), toml_quoted(to_string(quality)),
+                          1 + 1 / *at_level.numerics.mach_number, *at_level.numerics.step_factor});
     return levels;
 }
 
@@ -207,6 +195,16 @@ class Rows {
 
 }  // namespace
 
+bool TradeSettings::sets(const std::string& assignment) const {
+    return std::ranges::find(keys, trimmed(assignment.substr(0, assignment.find('=')))) != keys.end();
+}
+
+std::vector<double> TradeSettings::costs() const {
+    std::vector<double> costs;
+    for (const TradeSetting& setting : settings) costs.push_back(setting.cost / settings.front().cost);
+    return costs;
+}
+
 std::vector<std::string> TradeSettings::overrides(const TradeSetting& setting) const {
     std::vector<std::string> all;
     if (setting.role == TradeRole::reference) return all;
@@ -228,6 +226,9 @@ TradeSettings trade_settings(const TradeScene& scene) { return Rows(scene).setti
 std::string trade_identity(const TradeScene& scene) {
     Scene read = with(scene, {assignment(quality_key, toml_quoted(to_string(Quality::standard)))});
     const Scene defaults;
+    // What the settings set: whether it is given matters, not its value.
+    if (read.particles.spacing.given()) read.particles.spacing = 1;
+    if (read.numerics.sound_speed.given()) read.numerics.sound_speed = 1;
     read.title = defaults.title;
     read.run.duration = 1;
     read.run.threads = defaults.run.threads;

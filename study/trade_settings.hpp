@@ -40,6 +40,10 @@ struct TradeSettings {
     std::vector<std::string> keys;       ///< that differ, as --set names them
     std::vector<TradeSetting> settings;  ///< cheapest first
 
+    /// Whether they set the key of "key=value".
+    [[nodiscard]] bool sets(const std::string& assignment) const;
+    /// Expected, as multiples of that of the first one.
+    [[nodiscard]] std::vector<double> costs() const;
     /// What makes a run of the scene this setting, as --set takes it; without what its level sets. Nothing for a
     /// reference.
     [[nodiscard]] std::vector<std::string> overrides(const TradeSetting& setting) const;
@@ -60,8 +64,8 @@ struct TradeScene {
 /// Throws InputError where the scene cannot be read.
 [[nodiscard]] TradeSettings trade_settings(const TradeScene& scene);
 
-/// A hash of all that costs and errors depend on besides the settings, 16 hex digits: of the scene with its own
-/// spacing, not of its duration, quality, title, threads and output. Throws InputError likewise.
+/// A hash of all that costs and errors depend on besides the settings, 16 hex digits: of the scene, but not of
+/// what they set, its duration, title, threads and output. Throws InputError likewise.
 [[nodiscard]] std::string trade_identity(const TradeScene& scene);
 
 /// The study that runs them in this order, for a file in `folder`.

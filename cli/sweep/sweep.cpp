@@ -147,7 +147,7 @@ int execute(const SweepCommand& command) {
         if (command.slurm) print(script_text(slurm, study, chosen.size()));
         flush_output();
         print(Style(Stream::output).strong("Dry run") + "\n" +
-              cost_text(study, points, chosen, settings.jobs, settings.threads, settings.left_out) +
+              cost_text(study, points, chosen, std::vector<double>(chosen.size(), 1), settings) +
               left_out_text(study, settings.left_out) + "Nothing was written.\n");
         return exit_done;
     }

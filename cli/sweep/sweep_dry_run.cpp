@@ -24,6 +24,13 @@ namespace {
 constexpr std::size_t most_shown = 20;
 constexpr double trial_seconds = 1;
 
+/// Each of so many jobs takes the next run as soon as its last one has ended.
+double time_of_all(const std::vector<double>& costs, int jobs) {
+    std::vector<double> free_at(static_cast<std::size_t>(jobs), 0.0);
+    for (const double cost : costs) *std::ranges::min_element(free_at) += cost;
+    return std::ranges::max(free_at);
+}
+
 }  // namespace
 
 double disk_of_run(std::size_t particles, double frames, bool pictures, const study::LeftOut& left_out) {
@@ -57,13 +64,13 @@ std::string runs_text(const study::Study& study, const study::Points& points, co
 }
 
 std::string cost_text(const study::Study& study, const study::Points& points, const std::vector<std::size_t>& chosen,
-                      int jobs, int threads, const study::LeftOut& left_out) {
+                      const std::vector<double>& costs, const SweepSettings& settings) {
     const study::Point first = points.at(chosen.front());
     SceneChoice choice;
     choice.path = study.scene.file;
     choice.overrides = study::overrides(study.keys(), first);
     Resources resources;
-    resources.threads = threads;
+    resources.threads = settings.threads;
     Scene scene = read_scene(choice.path, choice.overrides);
     const double until = *scene.run.duration;
     check_frames(scene, until);
@@ -79,15 +86,17 @@ std::string cost_text(const study::Study& study, const study::Points& points, co
     Listing list;
     list.add("a run", fmt::format("about {} of computing, as {} takes: {} of {}", duration_text(seconds), first.name,
                                   count_text(static_cast<std::size_t>(steps), "step"), quantity_text(plan.dt, "s")));
-    list.add("all runs",
-             fmt::format("about {}, {} at a time on {} each", duration_text(seconds * std::ceil(runs / jobs)), jobs,
-                         count_text(static_cast<std::size_t>(threads), "thread")));
-    list.add("memory", fmt::format("about {}, {} a run", bytes_text(trial.peak_memory * std::min<double>(jobs, runs)),
-                                   bytes_text(trial.peak_memory)));
-    if (!left_out.contains(study::RunOutput::frames))
+    list.add("all runs", fmt::format("about {}, {} at a time on {} each",
+                                     duration_text(seconds * time_of_all(costs, settings.jobs)), settings.jobs,
+                                     count_text(static_cast<std::size_t>(settings.threads), "thread")));
+    list.add("memory",
+             fmt::format("about {}, {} a run", bytes_text(trial.peak_memory * std::min<double>(settings.jobs, runs)),
+                         bytes_text(trial.peak_memory)));
+    if (!settings.left_out.contains(study::RunOutput::frames))
         list.add("frames", fmt::format("{} a run, {} in all", count_text(static_cast<std::size_t>(frames)),
                                        count_text(static_cast<std::size_t>(frames * runs))));
-    const double disk = disk_of_run(prepared.particles.size(), frames, *prepared.scene.output.pictures, left_out);
+    const double disk =
+        disk_of_run(prepared.particles.size(), frames, *prepared.scene.output.pictures, settings.left_out);
     std::error_code unknown;
     const std::filesystem::space_info space = std::filesystem::space(std::filesystem::current_path(), unknown);
     list.add("disk", fmt::format("about {}, {} a run{}", bytes_text(disk * runs), bytes_text(disk),

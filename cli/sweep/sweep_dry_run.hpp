@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/sweep/sweep_runs.hpp"
 #include "cli/uses.hpp"
 #include "study/points.hpp"
 #include "study/study.hpp"
@@ -18,9 +19,10 @@ namespace dmp::cli {
 [[nodiscard]] std::string runs_text(const study::Study& study, const study::Points& points,
                                     const std::vector<std::size_t>& chosen);
 
-/// What the runs take, as the first one does: its particles are made and its first steps timed.
+/// What the runs take by the first one: its particles are made and its first steps timed. `costs`: of each chosen run,
+/// as a multiple of that of the first.
 [[nodiscard]] std::string cost_text(const study::Study& study, const study::Points& points,
-                                    const std::vector<std::size_t>& chosen, int jobs, int threads,
-                                    const study::LeftOut& left_out);
+                                    const std::vector<std::size_t>& chosen, const std::vector<double>& costs,
+                                    const SweepSettings& settings);
 
 }  // namespace dmp::cli

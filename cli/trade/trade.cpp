@@ -76,6 +76,7 @@ int close(const TradeCommand& command, const TradeRequest& trade, const SweepRow
     outcome.scene_name = scene_name(trade.read);
     outcome.identity = trade.identity;
     outcome.common = command.overrides;
+    std::erase_if(outcome.common, [&](const std::string& each) { return trade.settings.sets(each); });
     outcome.until = *trade.read.run.duration;
     outcome.duration = trade.duration;
     if (outcome.is_known()) write_trade(folder, outcome);
@@ -165,8 +166,7 @@ int execute(const TradeCommand& command) {
         if (command.slurm) print(script_text(slurm, study, all.size()));
         flush_output();
         print(Style(Stream::output).strong("Dry run") + "\n" +
-              cost_text(study, points, {0}, settings.jobs, settings.threads, settings.left_out) +
-              "Nothing was written.\n");
+              cost_text(study, points, all, trade.settings.costs(), settings) + "Nothing was written.\n");
         return exit_done;
     }
     if (command.overwrite) need_no_queued_jobs(out);

@@ -2,6 +2,7 @@
 // trade.json, for programs, and its picture.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <nlohmann/json.hpp>
 
@@ -50,6 +51,15 @@ Json of_setting(const TradeOutcome& outcome, std::size_t index) {
     return json;
 }
 
+/// Of all settings, the least accurate one first.
+std::vector<std::string> levels_of(const study::TradeSettings& settings) {
+    std::map<double, std::string> levels;
+    for (const study::TradeSetting& setting : settings.settings) levels[setting.level.rank] = setting.level.text;
+    std::vector<std::string> texts;
+    for (const auto& [rank, level] : levels) texts.push_back(level);
+    return texts;
+}
+
 }  // namespace
 
 void write_trade(const std::filesystem::path& folder, const TradeOutcome& outcome) {
@@ -61,6 +71,7 @@ void write_trade(const std::filesystem::path& folder, const TradeOutcome& outcom
     json["set_in_all"] = outcome.common;
     json["simulated_s"] = outcome.until;
     json["duration_s"] = outcome.duration;
+    json["levels"] = levels_of(outcome.settings);
     json["reference"] = outcome.names[outcome.runs[outcome.errors.reference].setting];
     for (const char* list : {"measures", "settings", "front"}) json[list] = Json::array();
     for (std::size_t c = 0; c < outcome.columns.size(); ++c) json["measures"].push_back(of_column(outcome, c));

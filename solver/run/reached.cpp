@@ -32,7 +32,10 @@ std::string give(const std::string& key, double value, const std::string& unit) 
 Reached::Reached(const Scene& scene, const SoundSpeed& sound) : scene_(scene), sound_(sound) {}
 
 bool Reached::compressed() const {
-    return density_high_ > 0 && (density_low_ < 1 - most_of_density || density_high_ > 1 + most_of_density);
+    // A Mach number above 0.22, as of draft, is the choice of larger changes.
+    const double chosen = is_by_hand() ? 0 : *scene_.numerics.mach_number * *scene_.numerics.mach_number;
+    const double most = std::max(most_of_density, chosen);
+    return density_high_ > 0 && (density_low_ < 1 - most || density_high_ > 1 + most);
 }
 bool Reached::too_fast() const {
     return speed_ > std::max(least_mach, beyond_mach * *scene_.numerics.mach_number) * sound_.value;

@@ -116,8 +116,8 @@ void expect_errors_and_costs_in_order(const std::string& scheme, double viscosit
 
 TEST(QualityLevels, keep_the_errors_of_the_table_and_cost_in_their_order) {
     expect_errors_and_costs_in_order(
-        "corrected", 0.001, 0.7,
-        {{"draft", {0.03, 0.02, 0.005}}, {"standard", {0.018, 0.014, 0.005}}, {"fine", {0.01, 0.008, 0.005}}});
+        "corrected", 0.001, 0.41,
+        {{"draft", {0.08, 0.05, 0.005}}, {"standard", {0.018, 0.014, 0.005}}, {"fine", {0.01, 0.008, 0.005}}});
 }
 
 TEST(QualityLevels, of_the_plain_scheme_too) {

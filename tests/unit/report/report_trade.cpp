@@ -42,10 +42,13 @@ std::vector<std::string> texts_of(const std::vector<LogTick>& ticks) {
     return all;
 }
 
-TradeFacts::Setting setting(double spacing, TradeLevel level, double cost, double error) {
+constexpr std::size_t draft = 0, standard = 1, fine = 2;
+const std::vector<std::string> levels{"draft", "standard", "fine"};
+
+TradeFacts::Setting setting(double spacing, std::size_t level, double cost, double error) {
     TradeFacts::Setting made;
-    made.run = fmt::format("{}_{}", spacing, to_string(level));
-    made.set = {fmt::format("particles.spacing=\"{} m\"", spacing), "quality=\"" + to_string(level) + "\""};
+    made.run = fmt::format("{}_{}", spacing, levels[level]);
+    made.set = {fmt::format("particles.spacing=\"{} m\"", spacing), "quality=\"" + levels[level] + "\""};
     made.spacing = spacing;
     made.level = level;
     made.has_ended = true;
@@ -62,9 +65,9 @@ TradeFacts valve() {
     trade.name = "valve";
     trade.simulated = 1.2;
     trade.duration = 4.8;
-    trade.settings = {setting(4e-4, TradeLevel::draft, 7, 0.2), setting(2e-4, TradeLevel::standard, 60, 0.06),
-                      setting(2e-4, TradeLevel::fine, 90, 0.07), setting(1.414e-4, TradeLevel::fine, 300, 0.02),
-                      setting(1.99e-4, TradeLevel::standard, 61, 0.061)};
+    trade.levels = levels;
+    trade.settings = {setting(4e-4, draft, 7, 0.2), setting(2e-4, standard, 60, 0.06), setting(2e-4, fine, 90, 0.07),
+                      setting(1.414e-4, fine, 300, 0.02), setting(1.99e-4, standard, 61, 0.061)};
     trade.settings[4].is_repeat = true;
     trade.measures = {{"flux", 0.015}};
     trade.front = {0, 1, 3};
@@ -164,7 +167,7 @@ TEST(PictureOfATrade, NeedsNothingElseAndNothingInItIsMarkup) {
     TradeFacts trade = valve();
     trade.name = "<script>alert('name')</script>\"&\a";
     trade.settings[0].error_is_of = "</title><script>alert('of')</script>";
-    trade.settings.push_back(setting(1e-4, TradeLevel::fine, no_value, 0.01));
+    trade.settings.push_back(setting(1e-4, fine, no_value, 0.01));
     trade.settings.back().is_reference_given = true;
     trade.settings.back().run = "<script>alert('run')</script>";
     const std::string svg = trade_picture(trade);
@@ -256,7 +259,7 @@ TEST(PictureOfATrade, OfTooManySettingsHasNoLabels) {
 TEST(SectionOfATrade, HasPictureTableAndCommands) {
     TradeFacts trade = valve();
     trade.set_in_all = {"run.threads=1"};
-    TradeFacts::Setting& failed = trade.settings.emplace_back(setting(8e-4, TradeLevel::draft, no_value, no_value));
+    TradeFacts::Setting& failed = trade.settings.emplace_back(setting(8e-4, draft, no_value, no_value));
     failed.has_ended = false;
     failed.failure = "particle 12 <flew> away";
     const std::string html = trade_section(trade);
@@ -306,7 +309,7 @@ class FolderOfATrade : public testing::Test {
             json_["settings"].push_back({{"run", run},
                                          {"set", {std::string("quality=\"") + level + "\""}},
                                          {"spacing_m", 2e-4},
-                                         {"quality", level},
+                                         {"level", level},
                                          {"is_repeat", false},
                                          {"failure", ""},
                                          {"processor_s", cost},
@@ -316,6 +319,7 @@ class FolderOfATrade : public testing::Test {
         json_["simulated_s"] = json_["duration_s"] = 2.0;
         json_["reference"] = "b";
         json_["front"] = {"a", "b"};
+        json_["levels"] = levels;
         write();
     }
     void write() const { write_file(folder_.path() / trade_file_name, json_.dump()); }
@@ -365,7 +369,7 @@ TEST_F(FolderOfATrade, DamageIsNamedWithItsPlace) {
         {"/settings/1/error", -0.1, "'settings[1].error' is not 0 or more"},
         {"/settings/0/processor_s", -1, "'settings[0].processor_s' is not 0 or more"},
         {"/settings/0/spacing_m", -1, "'settings[0].spacing_m' is not 0 or more"},
-        {"/settings/0/quality", "perfect", "'settings[0].quality' is not draft, standard or fine"},
+        {"/settings/0/level", "perfect", "'settings[0].level' is not one of its levels"},
         {"/front/0", "c", "'front[0]' is not the run of one of its settings"},
         {"/reference", "c", "'reference' is not the run of one of its settings"}};
     for (const auto& [place, value, said] : damaged) {

@@ -106,7 +106,7 @@ TEST(TradeSettings, AreFourSpacingsWithEachLevelAndTwoRepeatsCheapestFirst) {
     EXPECT_THAT(all.overrides(all.settings.front()), ElementsAre("particles.spacing=\"0.2 mm\"", "quality=\"draft\""));
     EXPECT_THAT(all.overrides(all.settings.back()),
                 ElementsAre("particles.spacing=\"0.07071 mm\"", "quality=\"fine\""));
-    EXPECT_NEAR(all.settings.front().cost, 2.0 / 3 / 8, 1e-12) << "in 2-D: particles times steps";
+    EXPECT_NEAR(all.settings.front().cost, (1 + 1 / 0.3) / (1 + 1 / 0.1) / 8, 1e-12) << "in 2-D: particles times steps";
     std::vector<std::vector<std::string>> repeats;
     for (const TradeSetting& each : all.settings)
         if (each.role == TradeRole::repeat) repeats.push_back(all.overrides(each));
@@ -144,6 +144,21 @@ TEST(TradeSettings, OfASceneThatGivesItsSpeedOfSoundHaveLowerOnes) {
             EXPECT_DOUBLE_EQ(each.cost, each.level.rank / 8);
         }
     }
+}
+
+TEST(TradeIdentity, IsOfWhatTheSettingsDoNotSet) {
+    const Folder folder;
+    Folder::write(good_scene);
+    Folder::write("", "vein_valve.geo");
+    const auto with = [](const std::vector<std::string>& overrides) {
+        return study::trade_identity({"scene.toml", overrides});
+    };
+    const std::string own = with({}), of_sound = with({"numerics.sound_speed=\"8 m/s\""});
+    EXPECT_EQ(with({"particles.spacing=\"0.3 mm\"", "quality=fine", "run.duration=\"1 s\""}), own);
+    EXPECT_EQ(with({"numerics.sound_speed=\"4 m/s\""}), of_sound);
+    EXPECT_NE(of_sound, own) << "their levels are others";
+    EXPECT_NE(with({"numerics.step_factor=0.3"}), own);
+    EXPECT_NE(with({"part.wall.layers=5"}), own);
 }
 
 TEST(TradeSettings, MakeAStudyOfTheirRunsInTheirOrder) {
