@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -12,6 +13,11 @@ inline std::string number_text(double value, int digits = 6) {
     std::ostringstream text;
     text << std::setprecision(digits) << value;
     return text.str();
+}
+
+/// A fraction in per cent, with two digits or all before the point: "0.43 %", "120 %".
+inline std::string percentage_text(double fraction) {
+    return (fraction < 1 ? number_text(100 * fraction, 2) : number_text(std::round(100 * fraction))) + " %";
 }
 
 }  // namespace dmp

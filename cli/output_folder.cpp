@@ -48,9 +48,10 @@ bool is_own(const fs::path& file) {
                std::ranges::any_of(groups, [&](std::string_view group) { return name.starts_with(group); });
     }
     if (is_kept_measures(name)) return true;
-    constexpr std::array<std::string_view, 12> others{
-        report_file_name, film_file_name, run_log_name,   measures_file_name, paraview_script_name, mesh_report_name,
-        "last_frame.png", "cycle.png",    "measures.png", "slices.png",       "surface_error.png",  "valence.png"};
+    constexpr std::array<std::string_view, 13> others{
+        references_file_name, report_file_name,    film_file_name,   run_log_name, measures_file_name,
+        paraview_script_name, mesh_report_name,    "last_frame.png", "cycle.png",  "measures.png",
+        "slices.png",         "surface_error.png", "valence.png"};
     return std::ranges::find(marks, name) != marks.end() || std::ranges::find(others, name) != others.end();
 }
 

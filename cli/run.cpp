@@ -21,6 +21,7 @@
 #include "cli/pictures.hpp"
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
+#include "cli/references.hpp"
 #include "cli/results_folder.hpp"
 #include "cli/run_bounds.hpp"
 #include "cli/run_log.hpp"
@@ -138,6 +139,7 @@ std::vector<std::string> write_results(const fs::path& folder, const Scene& scen
     std::vector<std::string>& files = extra.files;
     files.emplace_back(resolved_scene_name);
     if (!summary.measures.names.empty()) files.emplace_back(measures_file_name);
+    if (fs::exists(folder / references_file_name)) files.emplace_back(references_file_name);
     files.emplace_back(summary_file_name);
     files.emplace_back(run_log_name);
     // Before the pictures, so that whoever stops those has the numbers.
@@ -211,7 +213,7 @@ std::string stopped_by(const RunSummary& summary, const StopSignals& signals) {
 
 /// The first rank, which speaks, writes and draws.
 int run_as_first(const RunCommand& command, Prepared prepared, const Resources& resources, RunOptions options,
-                 Destination* destination) {
+                 References references, Destination* destination) {
     const Scene& scene = prepared.scene;
     const std::string head = heading(prepared);
     const ParticleSet particles = command.dry_run ? prepared.particles : ParticleSet{};
@@ -259,6 +261,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
         // They tell of an end that is none any more.
         remove_file(folder / summary_file_name);
         remove_file(folder / report_file_name);
+        remove_file(folder / references_file_name);
     } else if (found != nullptr) {
         simulation->start_from(checkpoint);
     }
@@ -278,27 +281,30 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
         line.clear();
         log.warn(" at " + quantity_text(time, "s") + ": " + warning.text());
     };
-    MeasuresFile measures(folder);
+    MeasuresFile measures(folder), references_file(folder, references_file_name);
     options.measured = [&](const MeasureSeries& series) {
         if (series.names.empty()) return;
         if (goes_on && !measures.is_begun())
             if (const std::string kept = keep_other_measures(folder, series); !kept.empty())
                 log.say("What was measured before has other columns: it is kept in " + (folder / kept).string() + "\n");
         measures.write(series);
+        if (const MeasureSeries& exact = references.at_times_of(series); !exact.names.empty())
+            references_file.write(exact);
     };
     options.stop = &signals.flag();
     const RunSummary summary = simulate(*simulation, options, folder, log);
     line.clear();
 
-    log.say(summary_text(scene, summary));
+    const std::vector<ReferenceDistance> distances = references.distances(summary.measures);
+    log.say(summary_text(scene, summary) + distances_text(distances));
     // Before the pictures: a job that is being stopped may be killed while they are drawn.
     if (summary.interrupted)
         log.say(fmt::format("Stopped before its end{}. Go on with the same command and --resume.\n  {}\n",
                             stopped_by(summary, signals), typed.with("--resume")));
-    const auto files = write_results(
-        folder, scene, summary,
-        {label_of(scene), sink ? sink->files() : std::vector<std::string>{}, started_from, values.lines(), plan.models},
-        command, line, log);
+    const auto files = write_results(folder, scene, summary,
+                                     {label_of(scene), sink ? sink->files() : std::vector<std::string>{}, started_from,
+                                      values.lines(), plan.models, distances},
+                                     command, line, log);
     // Of a run that goes on, those of before are still there.
     if (!summary.interrupted && !options.checkpoints.at_end) CheckpointFolder(folder).remove();
     log.say("\n" + results_text(folder, files));
@@ -370,13 +376,14 @@ int execute(const RunCommand& asked) {
 
         check_frames(scene, options.until);
         // Before particles are made, which may take long.
+        References references(scene);
         std::optional<Destination> destination;
         if (resources.ranks.is_first() && !command.dry_run)
             destination.emplace(command, scene, output_folder(command.out, scene_name(scene)), options.until,
                                 resources.ranks.size());
         Prepared prepared = prepare(std::move(scene), command.scene, resources.ranks);
         return resources.ranks.is_first() ? run_as_first(command, std::move(prepared), resources, options,
-                                                         destination ? &*destination : nullptr)
+                                                         std::move(references), destination ? &*destination : nullptr)
                                           : run_as_one_of_many(command, std::move(prepared), resources, options);
     });
 }

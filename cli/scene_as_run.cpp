@@ -79,6 +79,7 @@ void write(const fs::path& folder, const Scene& written, Scene as_run, const std
         refer_from(folder, as_run.directory, part.positions);
         refer_from(folder, as_run.directory, part.file);
     }
+    for (Reference& reference : as_run.references) refer_from(folder, as_run.directory, reference.file);
     const std::string text = remark + with_values_of(resolved_scene(written), resolved_scene(as_run));
     comment_out_what_may_not_be_given(folder / resolved_scene_name,
                                       written.geometry.unit.given() ? text : without_unit(text), as_run);

@@ -104,10 +104,10 @@ std::string heading_of(const MeasureSeries& measures) {
 
 }  // namespace
 
-void write_measures_csv(const fs::path& folder, const MeasureSeries& measures) {
+void write_measures_csv(const fs::path& folder, const MeasureSeries& measures, const std::string& name) {
     check(measures);
     make_folder(folder);
-    write_file(folder / measures_file_name, heading_of(measures) + rows_text(measures, 0));
+    write_file(folder / name, heading_of(measures) + rows_text(measures, 0));
 }
 
 std::string keep_other_measures(const fs::path& folder, const MeasureSeries& measures) {
@@ -123,16 +123,16 @@ std::string keep_other_measures(const fs::path& folder, const MeasureSeries& mea
 
 void MeasuresFile::write(const MeasureSeries& measures) {
     if (!rows_) {
-        write_measures_csv(folder_, measures);
+        write_measures_csv(folder_, measures, name_);
     } else if (measures.rows.size() > *rows_) {
         check(measures);
-        append_to_file(folder_ / measures_file_name, rows_text(measures, *rows_));
+        append_to_file(folder_ / name_, rows_text(measures, *rows_));
     }
     rows_ = measures.rows.size();
 }
 
-MeasureSeries read_measures_csv(const fs::path& folder) {
-    SourceLocation location{(folder / measures_file_name).string(), 1, 0};
+MeasureSeries read_measures_csv(const fs::path& folder, const std::string& name) {
+    SourceLocation location{(folder / name).string(), 1, 0};
     const std::string text = read_file(location.file);
     MeasureSeries measures;
     for (std::size_t start = 0; start < text.size(); ++location.line) {
@@ -141,8 +141,8 @@ MeasureSeries read_measures_csv(const fs::path& folder) {
         start = end + 1;
         if (location.line == 1) {
             for (std::size_t i = 1; i < cells.size(); ++i) {
-                auto [name, unit] = name_and_unit(cells[i]);
-                measures.names.push_back(std::move(name));
+                auto [column, unit] = name_and_unit(cells[i]);
+                measures.names.push_back(std::move(column));
                 measures.units.push_back(std::move(unit));
             }
             continue;
@@ -203,6 +203,14 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
     for (const auto& [name, value] : extra.chosen) json["chosen"].push_back({{"name", name}, {"value", value}});
     for (const ModelUse& use : extra.models)
         json["models"].push_back({{"model", use.model}, {"source", use.source}, {"why", use.reason}});
+    for (const ReferenceDistance& from : extra.references)
+        json["references"].push_back(
+            {{"measure", from.measure},
+             {"column", from.column},
+             {"source", from.source},
+             {"error", from.largest},
+             {"distance",
+              {{"whole", from.whole}, {"end", from.end}, {"peak", from.peak}, {"integral", from.integral}}}});
     if (const auto& start = extra.started_from)
         json["started_from"] = {{"checkpoint", start->checkpoint}, {"step", start->step}, {"time_s", start->time}};
     if (summary.velocity_change) json["velocity_change_per_spacing"] = *summary.velocity_change;

@@ -16,6 +16,7 @@
   const plots = [];
   for (const place of document.querySelectorAll(".plot")) {
     const measure = measures[Number(place.dataset.measure)];
+    const exponent = exponentOf(measure.value.concat(measure.reference || []));
     const options = {
       width: widthOf(place), height: 230,
       scales: { x: { time: false }, y: { range: valueRange } },
@@ -29,10 +30,18 @@
       ],
       axes: [
         axis("time [" + axisName("s", exponentOf(measure.time)) + "]", true, numbersIn(exponentOf(measure.time))),
-        axis("[" + axisName(measure.unit || "1", exponentOf(measure.value)) + "]", false, numbersIn(exponentOf(measure.value))),
+        axis("[" + axisName(measure.unit || "1", exponent) + "]", false, numbersIn(exponent)),
       ],
     };
-    const plot = new uPlot(options, [measure.time, measure.value], place);
+    const drawn = [measure.time, measure.value];
+    if (measure.reference) {
+      options.series.push({
+        label: "reference [" + (measure.unit || "1") + "]", width: 1.5, dash: [6, 4], spanGaps: false,
+        stroke: () => colour("--line-1"), value: number,
+      });
+      drawn.push(measure.reference);
+    }
+    const plot = new uPlot(options, drawn, place);
     plots.push(plot);
     place.addEventListener("keydown", (event) => onKey(event, plot));
   }

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "base/csv.hpp"
+#include "base/number_text.hpp"
 #include "report/html.hpp"
 #include "report/page_frame.hpp"
 #include "report/thin.hpp"
@@ -33,6 +35,37 @@ Json rounded(const std::vector<double>& values) {
     return list;
 }
 
+/// The values of a column at some of the series' times; no number at others.
+std::vector<double> values_at(const std::vector<double>& times, const MeasureSeries& series, std::size_t column) {
+    std::vector<double> values;
+    for (const double time : times) {
+        const auto found = std::ranges::lower_bound(series.time, time);
+        const bool is_there = found != series.time.end() && *found == time;
+        values.push_back(is_there ? series.rows[static_cast<std::size_t>(found - series.time.begin())][column]
+                                  : std::numeric_limits<double>::quiet_NaN());
+    }
+    return values;
+}
+
+std::optional<std::size_t> place_of(const std::string& name, const MeasureSeries& series) {
+    const auto found = std::ranges::find(series.names, name);
+    if (found == series.names.end()) return {};
+    return static_cast<std::size_t>(found - series.names.begin());
+}
+
+/// " <span>...</span>" for the caption of a plot with a reference.
+std::string reference_note(const RunFiles& run, const std::string& column) {
+    if (!place_of(column, run.references)) return "";
+    std::string text = "dashed: reference";
+    for (const JsonValue& each : run.facts()["references"].elements()) {
+        if (each["column"].text() != column) continue;
+        text += " (" + each["source"].text() + ")";
+        if (const double error = each["error"].number(); std::isfinite(error))
+            text += "; " + percentage_text(error) + " from it";
+    }
+    return " <span class=\"note\">" + escaped(text) + "</span>";
+}
+
 std::string extremes_table(const RunFiles& run) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& [name, of] : run.facts()["measures"].members())
@@ -50,7 +83,7 @@ std::size_t points_of_each(std::size_t plots) {
     return std::clamp(most_points_of_page / std::max<std::size_t>(plots, 1), std::size_t{50}, most_points);
 }
 
-std::string plot_data(const MeasureSeries& measures) {
+std::string plot_data(const MeasureSeries& measures, const MeasureSeries& references) {
     Json list = Json::array();
     for (std::size_t column = 0; column < measures.names.size(); ++column) {
         const Curve curve = thinned(curve_of(measures, column), points_of_each(measures.names.size()));
@@ -58,6 +91,8 @@ std::string plot_data(const MeasureSeries& measures) {
                         {"unit", measures.units[column]},
                         {"time", rounded(curve.time)},
                         {"value", rounded(curve.value)}});
+        if (const auto reference = place_of(measures.names[column], references))
+            list.back()["reference"] = rounded(values_at(curve.time, references, *reference));
     }
     return without_markup(Json{{"measures", list}}.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
@@ -83,9 +118,9 @@ std::string measures_section(const RunFiles& run) {
         for (std::size_t k = 0; k < measures.names.size(); ++k) {
             const std::string name = escaped(csv_heading(measures.names[k], measures.units[k]));
             text += fmt::format(
-                "<figure><figcaption>{0}</figcaption><div class=\"plot\" data-measure=\"{1}\" tabindex=\"0\" "
+                "<figure><figcaption>{0}{2}</figcaption><div class=\"plot\" data-measure=\"{1}\" tabindex=\"0\" "
                 "role=\"group\" aria-label=\"Plot of {0} over time\"></div></figure>\n",
-                name, k);
+                name, k, reference_note(run, measures.names[k]));
         }
         text += "</div>\n";
     } else {

@@ -80,6 +80,16 @@ void read_measures(RunFiles& run) {
     run.measures = std::move(series);
 }
 
+/// A run without them has none; damaged ones are left out.
+void read_references(RunFiles& run) {
+    if (!run.measures || !fs::is_regular_file(run.folder / references_file_name)) return;
+    try {
+        run.references = read_measures_csv(run.folder, references_file_name);
+    } catch (const InputError& error) {
+        run.notes.push_back(fmt::format("{} is damaged: {}", references_file_name, error.problem()));
+    }
+}
+
 bool has_paraview_frames(const fs::path& folder) {
     return std::ranges::any_of(std::array{"fluid.pvd", "solid.pvd", "spheres.pvd"},
                                [&](const char* name) { return fs::is_regular_file(folder / name); });
@@ -170,6 +180,7 @@ RunFiles read_run_files(const fs::path& folder, const OpenParaviewFrames& open_p
     if (run.has_no_end()) run.log_text = log.size() > most_log_bytes ? log.substr(log.size() - most_log_bytes) : log;
     run.resolved_scene = text_of(folder / resolved_scene_file, "the scene as it was run is missing", run.notes);
     read_measures(run);
+    read_references(run);
     read_pictures(run);
     read_particles(run, open_paraview);
     run.has_paraview_script = fs::is_regular_file(folder / paraview_script_name);

@@ -40,6 +40,7 @@ struct RunFiles {
     std::string log_text;  ///< of a run without a summary: the end of run.log
     std::string resolved_scene;
     std::optional<MeasureSeries> measures;
+    MeasureSeries references;  ///< what columns of the measures should be, as far as that is known
     std::vector<Picture> pictures;
     ShownParticles particles;  ///< no times: there are no frames, or none can be read
     long frames = 0;           ///< of those that can be read

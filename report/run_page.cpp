@@ -210,7 +210,7 @@ std::string sections_without_summary(const RunFiles& run) {
 PageScripts scripts_of(const RunFiles& run) {
     PageScripts found;
     if (run.measures && !run.measures->rows.empty()) {
-        found.data.emplace_back("page-data", plot_data(*run.measures));
+        found.data.emplace_back("page-data", plot_data(*run.measures, run.references));
         found.scripts.push_back(plotting_library());
         found.scripts.emplace_back(page_script);
     }

@@ -12,6 +12,7 @@
 #include "scene/measure_subject.hpp"
 #include "scene/numerics_checks.hpp"
 #include "scene/quantity.hpp"
+#include "scene/reference_checks.hpp"
 #include "scene/schema.hpp"
 #include "scene/solidify_checks.hpp"
 #include "scene/species_checks.hpp"
@@ -364,6 +365,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     check_elastic(scene);
     check_joins(scene);
     for (const auto& measure : scene.measures) check_measure(scene, measure);
+    check_references(scene);
     check_solidify(scene);
 }
 

@@ -408,6 +408,10 @@ Expression read_formula(const WrittenText& text, const Expected& expected, const
     return compiled(whole, text, subject);
 }
 
+Expression read_formula(const WrittenText& text, const std::string& subject) {
+    return compiled(FormulaReader(text).read(), text, subject);
+}
+
 bool is_formula_word(std::string_view name) {
     return unit_symbol(name) || is_variable_or_constant(name) ||
            std::ranges::find(functions, name, &Function::name) != functions.end();

@@ -26,6 +26,8 @@ namespace dmp::scene {
 ///
 /// `subject` is the formula's key. Throws InputError with the location of the fault in the text.
 Expression read_formula(const WrittenText& text, const Expected& expected, const std::string& subject);
+/// The same of any dimension.
+Expression read_formula(const WrittenText& text, const std::string& subject);
 
 /// Whether a name has a meaning in formulas: a unit, a function, a variable or pi.
 bool is_formula_word(std::string_view name);

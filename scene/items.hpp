@@ -99,6 +99,21 @@ struct Measure {
     Value<Vec> direction{Vec::UnitZ()};  ///< detached: direction to the upper half
 };
 
+/// [[reference]]: what a measure should be, where an exact answer or published data is known.
+struct Reference {
+    Value<std::string> name;  ///< may be empty
+    Value<std::string> measure;
+    Value<std::string> column;  ///< end of the column's name after the measure's and '_'; empty: it has the measure's
+    Value<Expression> formula;  ///< of t, in the column's SI unit; or
+    Value<std::string> file;    ///< CSV file, absolute or relative to the scene's folder
+    Value<double> from = 0.0;   ///< when it begins [s]
+    Value<double> until;        ///< when it ends [s]; not given: with what there is
+    Value<std::string> source;  ///< a citation, or how it was found
+
+    /// Of its column in measures.csv.
+    [[nodiscard]] std::string column_name() const { return *measure + (column->empty() ? "" : "_" + *column); }
+};
+
 /// [[solidify]]: fluid that solidifies near seeds, and its bonds (docs/solidify.md).
 struct Solidify {
     Value<std::string> name;    ///< of the resulting solid

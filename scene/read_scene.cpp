@@ -193,6 +193,7 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
     scene.moving_shapes = read_items(document, "moving_shape", schema().moving_shape, scene);
     scene.regions = read_items(document, "region", schema().region, scene);
     scene.measures = read_items(document, "measure", schema().measure, scene);
+    scene.references = read_items(document, "reference", schema().reference, scene);
     scene.solidify = read_items(document, "solidify", schema().solidify, scene);
     scene.breaking = read_items(document, "break", schema().breaking, scene);
     check_scene(scene, document);

@@ -40,6 +40,7 @@ constexpr std::array tables{
     Table{"moving_shape", "Shapes that move and push parts (docs/driving.md)."},
     Table{"region", "Boxes that residence times, seeds and measures refer to."},
     Table{"measure", "Quantities written to measures.csv over time (docs/results.md)."},
+    Table{"reference", "What a measure should be, where an exact answer or published data is known (docs/results.md)."},
     Table{"solidify", "Fluid that turns solid near seeds: clots and calcification (docs/solidify.md)."},
     Table{"break", "When bonds break (docs/solidify.md)."},
 };

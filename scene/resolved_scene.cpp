@@ -47,6 +47,7 @@ std::string resolved_scene(const Scene& scene) {
     write_items(text, scene.moving_shapes, "moving_shape", schema().moving_shape);
     write_items(text, scene.regions, "region", schema().region);
     write_items(text, scene.measures, "measure", schema().measure);
+    write_items(text, scene.references, "reference", schema().reference);
     write_items(text, scene.solidify, "solidify", schema().solidify);
     write_items(text, scene.breaking, "break", schema().breaking);
     return text;

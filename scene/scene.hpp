@@ -122,6 +122,7 @@ struct Scene {
     std::vector<MovingShape> moving_shapes;
     std::vector<ResidenceRegion> regions;
     std::vector<Measure> measures;
+    std::vector<Reference> references;
     std::vector<Solidify> solidify;
     std::vector<Breaking> breaking;
 

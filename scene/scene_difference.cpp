@@ -63,7 +63,8 @@ std::vector<Line> lines_of(const std::string& scene) {
 /// Whether the state at some time depends on it.
 bool is_of_state(const std::string& key) {
     if (key == "output.average_from") return true;
-    return key != "title" && key != "run.duration" && !key.starts_with("output.") && !key.starts_with("measure.");
+    return key != "title" && key != "run.duration" && !key.starts_with("output.") && !key.starts_with("measure.") &&
+           !key.starts_with("reference.");
 }
 
 std::vector<Line> lines_of_state(const std::string& scene) {

@@ -24,8 +24,8 @@ struct ValueDifference {
 
 /// Those of them that change the state of a run at a later time: a run may go on with any others. Left out are how long
 /// it runs (run.duration; run.until_steady where it is taken away), how often and what it writes (output, but for
-/// output.average_from), what it measures, and its title. How often it writes changes the lengths of its steps, and so
-/// the last digits of what follows.
+/// output.average_from), what it measures and what that should be, and its title. How often it writes changes the
+/// lengths of its steps, and so the last digits of what follows.
 [[nodiscard]] std::vector<ValueDifference> differences_in_state(const std::string& before, const std::string& now);
 
 /// The first five, a line each: "\n  part.blood.viscosity: was "0.0035 Pa*s", is "0.004 Pa*s"".

@@ -6,6 +6,7 @@
 #include "scene/driving_keys.hpp"
 #include "scene/join_keys.hpp"
 #include "scene/measure_keys.hpp"
+#include "scene/reference_keys.hpp"
 #include "scene/solidify_keys.hpp"
 #include "scene/sphere_keys.hpp"
 
@@ -357,6 +358,7 @@ Schema whole_schema() {
     schema.moving_shape = each_item("moving_shape", moving_shape_keys());
     schema.region = each_item("region", region_keys());
     schema.measure = each_item("measure", measure_keys());
+    schema.reference = each_item("reference", reference_keys());
     schema.solidify = each_item("solidify", solidify_keys());
     schema.breaking = each_item("break", breaking_keys());
     return schema;
@@ -370,9 +372,9 @@ const Schema& schema() {
 }
 
 const std::vector<std::string>& item_lists() {
-    static const std::vector<std::string> names{"select",       "part",     "join",         "species",
-                                                "contact_pair", "force",    "moving_shape", "region",
-                                                "measure",      "solidify", "break"};
+    static const std::vector<std::string> names{"select",       "part",      "join",         "species",
+                                                "contact_pair", "force",     "moving_shape", "region",
+                                                "measure",      "reference", "solidify",     "break"};
     return names;
 }
 
@@ -395,6 +397,7 @@ std::vector<KeyFacts> Schema::facts() const {
     for (const auto& key : moving_shape) facts.push_back(key.facts);
     for (const auto& key : region) facts.push_back(key.facts);
     for (const auto& key : measure) facts.push_back(key.facts);
+    for (const auto& key : reference) facts.push_back(key.facts);
     for (const auto& key : solidify) facts.push_back(key.facts);
     for (const auto& key : breaking) facts.push_back(key.facts);
     return facts;

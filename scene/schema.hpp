@@ -152,6 +152,7 @@ struct Schema {
     std::vector<Key<MovingShape>> moving_shape;
     std::vector<Key<ResidenceRegion>> region;
     std::vector<Key<Measure>> measure;
+    std::vector<Key<Reference>> reference;
     std::vector<Key<Solidify>> solidify;
     std::vector<Key<Breaking>> breaking;
 

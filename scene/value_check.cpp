@@ -82,6 +82,7 @@ Read read_of(const Scene& scene, const std::string& path, const SourceLocation& 
     if (list == "moving_shape") return of(scene.moving_shapes, schema().moving_shape);
     if (list == "region") return of(scene.regions, schema().region);
     if (list == "measure") return of(scene.measures, schema().measure);
+    if (list == "reference") return of(scene.references, schema().reference);
     if (list == "solidify") return of(scene.solidify, schema().solidify);
     if (list == "break") return of(scene.breaking, schema().breaking);
     return read_of_scene_key(scene, words, path);

@@ -339,6 +339,17 @@ ValueType<Expression> flux_formula(SpeciesUnit unit) {
     return formula("1e-6 m/s");
 }
 
+ValueType<Expression> any_formula(const std::string& example) {
+    const std::string description = "a formula such as \"" + example + "\"";
+    return {description,
+            [description](const TomlNode& node, const std::string& path) {
+                if (node.is_text()) return read_formula(node.text, path);
+                const std::string number = exact_text(read_number(node, path, any_number, description));
+                return Expression(number, number);
+            },
+            [](const Expression& value) { return toml_quoted(value.si_text()); }};
+}
+
 namespace detail {
 
 std::string bare_key_or_quoted(const std::string& key) {

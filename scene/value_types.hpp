@@ -98,6 +98,8 @@ ValueType<ByPart<T>> by_part(const ValueType<T>& one);
 /// concentrations may be bare numbers.
 ValueType<Expression> concentration_formula(SpeciesUnit unit);
 ValueType<Expression> flux_formula(SpeciesUnit unit);
+/// A formula or a number of any dimension: what it must be is known when all of the scene is read.
+ValueType<Expression> any_formula(const std::string& example);
 
 namespace detail {
 

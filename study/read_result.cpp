@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/nearest_name.hpp"
+#include "scene/measure_columns.hpp"
 #include "study/measure_columns.hpp"
 #include "study/toml_table.hpp"
 
@@ -13,19 +14,6 @@ namespace dmp::study {
 namespace {
 
 ValueType<double> time_from_zero() { return quantity("0.2 s", not_negative); }
-
-const Measure& measure_called(const Value<std::string>& name, const Scene& scene) {
-    std::vector<std::string> names;
-    for (const Measure& measure : scene.measures) {
-        if (*measure.name == *name) return measure;
-        names.push_back(*measure.name);
-    }
-    const std::string nearest = nearest_name(*name, names);
-    throw InputError(name.location, "the scene has no measure '" + *name + "'",
-                     names.empty()     ? "it has none at all: add [[measure]] to " + scene.file
-                     : nearest.empty() ? "its measures are " + quoted_list(names)
-                                       : "did you mean '" + nearest + "'?");
-}
 
 void check_column(const Result& result, const Measure& measure) {
     const std::string kind = to_string(*measure.kind);
@@ -100,7 +88,7 @@ Result read_result(const TomlNode& node, const Study& study) {
             throw InputError(result.name.location, "a result may not have the name '" + reserved + "'",
                              "give another name: results.csv has a column of this one");
     result.measure = table.need("measure", name());
-    const Measure& measure = measure_called(result.measure, study.scene);
+    const Measure& measure = measure_called(study.scene, result.measure);
     result.column = table.read("column", text_not_empty(), result.column);
     check_column(result, measure);
     result.reduce = table.need("reduce", one_of<Reduction>());

@@ -11,7 +11,4 @@ namespace dmp::study {
 /// unit is of another quantity, or a number has no place on a logarithmic axis.
 [[nodiscard]] ReferencePoints read_reference(const TomlNode& node, const Plot& plot, const Study& study);
 
-/// Of a unit as tables have it: none for "" and "1". Throws InputError for an unknown unit.
-[[nodiscard]] Dimension dimension_of(const std::string& unit);
-
 }  // namespace dmp::study

@@ -20,7 +20,7 @@
 #include "report/study_files.hpp"
 #include "report/write_report.hpp"
 #include "study/read_plot.hpp"
-#include "study/reference_points.hpp"
+#include "study/csv_table.hpp"
 #include "study/values_taken.hpp"
 
 namespace dmp::cli {

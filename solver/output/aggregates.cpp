@@ -29,15 +29,10 @@ Aggregate aggregate_of(const SpringBodies& springs, int origin) {
     return all;
 }
 
-const std::vector<AggregateColumn>& aggregate_columns() {
-    static const std::vector<AggregateColumn> columns{
-        {"particles", "1", [](const Aggregate& of) { return static_cast<double>(of.particles); }},
-        {"mass", "kg", [](const Aggregate& of) { return of.mass; }},
-        {"pieces", "1", [](const Aggregate& of) { return static_cast<double>(of.pieces); }},
-        {"largest", "1", [](const Aggregate& of) { return static_cast<double>(of.largest); }},
-        {"bonds_made", "1", [](const Aggregate& of) { return static_cast<double>(of.bonds_made); }},
-        {"bonds_broken", "1", [](const Aggregate& of) { return static_cast<double>(of.bonds_broken); }}};
-    return columns;
+std::vector<double> values_of(const Aggregate& aggregate) {
+    return {static_cast<double>(aggregate.particles),  aggregate.mass,
+            static_cast<double>(aggregate.pieces),     static_cast<double>(aggregate.largest),
+            static_cast<double>(aggregate.bonds_made), static_cast<double>(aggregate.bonds_broken)};
 }
 
 }  // namespace dmp::solver

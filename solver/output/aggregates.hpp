@@ -11,11 +11,7 @@ namespace dmp::solver {
 /// By number of SpringBodies::names().
 Aggregate aggregate_of(const SpringBodies& springs, int origin);
 
-/// Columns of an aggregate in measures.csv, and what stands in them.
-struct AggregateColumn {
-    const char *ending, *unit;
-    double (*value)(const Aggregate&);
-};
-const std::vector<AggregateColumn>& aggregate_columns();
+/// What stands in the columns of a measure of an aggregate.
+std::vector<double> values_of(const Aggregate& aggregate);
 
 }  // namespace dmp::solver

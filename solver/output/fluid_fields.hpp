@@ -12,10 +12,6 @@
 
 namespace dmp::solver {
 
-/// The names of the components of vectors and of symmetric tensors, in the order of frames.
-inline constexpr std::array<const char*, 3> vector_components{"x", "y", "z"};
-inline constexpr std::array<const char*, 6> tensor_components{"xx", "yy", "zz", "xy", "yz", "xz"};
-
 /// Von Mises' equivalent stress (3/2 s : s)^(1/2) of a symmetric stress [Pa], s its deviator.
 double von_mises(const std::array<double, 6>& stress);
 

@@ -2,26 +2,21 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
+#include "scene/measure_columns.hpp"
 #include "scene/measure_subject.hpp"
 #include "scene/scene.hpp"
 #include "solver/uses.hpp"
 
 namespace dmp::solver {
 
-/// A column of measures.csv.
-struct MeasureColumn {
-    std::string name, unit;
-};
-
-/// One kind of measure, as a class that takes measures knows it. `Moment`: what it is taken from.
+/// How a class that takes measures finds the values of one kind of them. `Moment`: what they are taken from.
 template <class Taker, class Moment>
 struct MeasureRow {
     MeasureKind kind;
-    std::vector<MeasureColumn> (*columns)(const Taker&, const Measure&);
-    std::vector<double> (*values)(const Taker&, const Measure&, const Moment&);  ///< one a column; all ranks together
+    /// One for each of scene::measure_columns; all ranks together.
+    std::vector<double> (*values)(const Taker&, const Measure&, const Moment&);
 };
 
 /// The row of a kind. A class has one for each kind of its subjects (scene::has_row_for_each); the scene's checks

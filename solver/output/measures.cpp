@@ -17,50 +17,6 @@ namespace dmp::solver {
 
 namespace {
 
-const char* unit_of(FluidField field) {
-    switch (field) {
-        case FluidField::velocity:
-            return "m/s";
-        case FluidField::density:
-            return "kg/m^3";
-        case FluidField::vorticity:
-            return "1/s";
-        case FluidField::residence_time:
-            return "s";
-        case FluidField::concentration:
-            return "1";
-        case FluidField::pressure:
-        case FluidField::shear_stress:
-        case FluidField::stress:
-        case FluidField::von_mises:
-            break;
-    }
-    return "Pa";
-}
-
-/// Endings of the names of a probe's columns.
-std::vector<std::string> column_endings(const Scene& scene, FluidField field, int dimension) {
-    std::vector<std::string> endings;
-    const bool vector = field == FluidField::velocity || (field == FluidField::vorticity && dimension == 3);
-    if (vector)
-        for (const std::size_t c : probed_components(3, dimension))
-            endings.push_back("_" + std::string(vector_components[c]));
-    if (field == FluidField::stress)
-        for (const std::size_t c : probed_components(6, dimension))
-            endings.push_back("_" + std::string(tensor_components[c]));
-    if (field == FluidField::residence_time && scene.regions.size() > 1)
-        for (const ResidenceRegion& region : scene.regions) endings.push_back("_" + *region.name);
-    if (field == FluidField::concentration && scene.species.size() > 1)
-        for (const Species& species : scene.species) endings.push_back("_" + *species.name);
-    if (endings.empty()) endings.emplace_back();
-    return endings;
-}
-
-/// Units of a probe's columns; of concentrations each species has its own.
-std::string unit_of_column(const Scene& scene, FluidField field, std::size_t column) {
-    return field == FluidField::concentration ? scene.species[column].concentration_unit() : unit_of(field);
-}
-
 bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
     if (measure.kind.value != MeasureKind::gap) return true;
     const auto parts = scene.parts_of(PartKind::elastic);
@@ -79,74 +35,41 @@ void need_long_waves(const Measure& measure, const ParticleSpace& space) {
 }  // namespace
 
 struct Measures::Rows {
-    using Columns = std::vector<MeasureColumn>;
     using Values = std::vector<double>;
 
     static constexpr auto all = std::to_array<MeasureRow<Measures, FluidMoment>>({
         {MeasureKind::flux,
-         [](const Measures&, const Measure& measure) {
-             return Columns{{measure.name, "m^3/s"}};
-         },
          [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
              return Values{self.flux(measure, moment.particles)};
          }},
         {MeasureKind::gap,
-         [](const Measures&, const Measure& measure) {
-             return Columns{{measure.name, "m"}};
-         },
          [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
              return Values{self.gaps_.at(&measure).smallest(moment.step.springs())};
          }},
         {MeasureKind::largest_speed,
-         [](const Measures&, const Measure& measure) {
-             return Columns{{measure.name, "m/s"}};
-         },
          [](const Measures&, const Measure&, const FluidMoment& moment) {
              return Values{moment.step.extremes().largest_speed};
          }},
         {MeasureKind::density,
-         [](const Measures&, const Measure& measure) {
-             return Columns{{*measure.name + "_low", "1"}, {*measure.name + "_high", "1"}};
-         },
          [](const Measures&, const Measure&, const FluidMoment& moment) {
              const FluidExtremes extremes = moment.step.extremes();
              return Values{extremes.density_low, extremes.density_high};
          }},
         {MeasureKind::kinetic_energy,
-         [](const Measures&, const Measure& measure) {
-             return Columns{{measure.name, "J"}};
-         },
          [](const Measures& self, const Measure&, const FluidMoment& moment) {
              return Values{self.kinetic_energy(moment.particles.fluid())};
          }},
         {MeasureKind::aggregate,
-         [](const Measures&, const Measure& measure) {
-             Columns columns;
-             for (const AggregateColumn& each : aggregate_columns())
-                 columns.push_back({*measure.name + "_" + each.ending, each.unit});
-             return columns;
-         },
          [](const Measures&, const Measure& measure, const FluidMoment& moment) {
              const SpringBodies& springs = moment.step.springs();
              const auto origin = std::ranges::find(springs.names(), *measure.part) - springs.names().begin();
-             const Aggregate aggregate = aggregate_of(springs, static_cast<int>(origin));
-             Values values;
-             for (const AggregateColumn& each : aggregate_columns()) values.push_back(each.value(aggregate));
-             return values;
+             return values_of(aggregate_of(springs, static_cast<int>(origin)));
          }},
         {MeasureKind::probe,
-         [](const Measures& self, const Measure& measure) { return self.field_columns(measure, measure.name); },
          [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
              return self.field_at({measure.point}, measure.point.location, measure, moment);
          }},
         {MeasureKind::line,
-         [](const Measures& self, const Measure& measure) {
-             Columns columns;
-             for (int k = 1; k <= *measure.points; ++k)
-                 std::ranges::move(self.field_columns(measure, *measure.name + "_" + std::to_string(k)),
-                                   std::back_inserter(columns));
-             return columns;
-         },
          [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
              std::vector<Vec> points;
              for (int k = 0; k < *measure.points; ++k)
@@ -155,12 +78,6 @@ struct Measures::Rows {
              return self.field_at(points, measure.from.location, measure, moment);
          }},
         {MeasureKind::mode,
-         [](const Measures& self, const Measure& measure) {
-             Columns columns;
-             for (const MeasureColumn& each : self.field_columns(measure, measure.name))
-                 for (const char* factor : {"_cos", "_sin"}) columns.push_back({each.name + factor, each.unit});
-             return columns;
-         },
          [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
              return self.mode(measure, moment);
          }},
@@ -175,10 +92,7 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
         measures_.push_back(&measure);
         if (*measure.kind == MeasureKind::mode) need_long_waves(measure, space_);
         if (*measure.kind == MeasureKind::gap) gaps_.try_emplace(&measure, measure, set);
-        const std::vector<MeasureColumn> columns = is_of_species(measure.kind)
-                                                       ? SpeciesMeasures(scene, space_, ranks).columns(measure)
-                                                       : row_of(Rows::all, measure.kind).columns(*this, measure);
-        for (const auto& [name, unit] : columns) {
+        for (const auto& [name, unit] : measure_columns(scene, measure)) {
             series_.names.push_back(name);
             series_.units.push_back(unit);
         }
@@ -260,13 +174,6 @@ bool Measures::need_neighbours() const {
     return std::ranges::any_of(measures_, [](const Measure* measure) {
         return reads_a_field(measure->kind) && FluidFields::need_neighbours(measure->field);
     });
-}
-
-std::vector<MeasureColumn> Measures::field_columns(const Measure& measure, const std::string& name) const {
-    std::vector<MeasureColumn> columns;
-    for (const std::string& ending : column_endings(scene_, measure.field, space_.dimension))
-        columns.push_back({name + ending, unit_of_column(scene_, measure.field, columns.size())});
-    return columns;
 }
 
 std::vector<double> Measures::field_at(const std::vector<Vec>& points, const SourceLocation& location,

@@ -47,9 +47,8 @@ class Measures {
     [[nodiscard]] double over_all_ranks(ExactSum sum) const;
     [[nodiscard]] double flux(const Measure& measure, const ParticleStore& particles) const;
     [[nodiscard]] double kinetic_energy(const ParticleGroup& fluid) const;
-    /// The columns of a field at one point.
-    [[nodiscard]] std::vector<MeasureColumn> field_columns(const Measure& measure, const std::string& name) const;
-    /// Their values at each of the points. Throws InputError, with this location, when none finds fluid at first.
+    /// The columns of the field at each of the points. Throws InputError, with this location, when none finds fluid at
+    /// first.
     [[nodiscard]] std::vector<double> field_at(const std::vector<Vec>& points, const SourceLocation& location,
                                                const Measure& measure, const FluidMoment& moment) const;
     [[nodiscard]] std::vector<double> mode(const Measure& measure, const FluidMoment& moment) const;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "solver/elastic/body_change.hpp"
 
@@ -24,14 +23,6 @@ bool walls_show_their_surface(const PairSettings& settings) {
 }
 
 }  // namespace
-
-std::vector<std::size_t> probed_components(int components, int dimension) {
-    if (components == 3 && dimension == 2) return {0, 1};
-    if (components == 6 && dimension == 2) return {0, 1, 2, 3};
-    std::vector<std::size_t> all(static_cast<std::size_t>(components));
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    return all;
-}
 
 Probe::Probe(const Vec& point, FluidField field, const ParticleStore& particles, const FluidStep& step,
              const PairSettings& settings, const Ranks& ranks)

@@ -3,15 +3,13 @@
 
 #include <vector>
 
+#include "scene/measure_columns.hpp"
 #include "scene/scene.hpp"
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/linear_fit.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
 
 namespace dmp::solver {
-
-/// Components of a vector (3) or tensor (6) that probes have columns for: in 2-D those that are not 0.
-std::vector<std::size_t> probed_components(int components, int dimension);
 
 /// What a fluid field is at a point: of the linear function that fits best, weighted with volume and kernel, what the
 /// fluid particles within the kernel's support have. Where walls hold the fluid, the velocity of their surface counts

@@ -35,77 +35,42 @@ double slope(const std::vector<double>& t, const std::vector<double>& y) {
 
 struct SpeciesMeasures::Rows {
     using Self = SpeciesMeasures;
-    using Columns = std::vector<MeasureColumn>;
     using Values = std::vector<double>;
 
     static constexpr auto all = std::to_array<MeasureRow<SpeciesMeasures, FluidMoment>>({
         {MeasureKind::amount,
-         [](const Self& self, const Measure& measure) {
-             return Columns{{measure.name, self.species_of(measure).amount_unit()}};
-         },
          [](const Self& self, const Measure& measure, const FluidMoment& moment) {
              return Values{moment.step.species()->held_by_particles(moment.particles, self.scene_.species_of(measure))};
          }},
         {MeasureKind::mean_concentration,
-         [](const Self& self, const Measure& measure) {
-             return Columns{{measure.name, self.species_of(measure).concentration_unit()}};
-         },
          [](const Self& self, const Measure& measure, const FluidMoment& moment) {
              return Values{self.mean(measure, moment)};
          }},
         {MeasureKind::profile,
-         [](const Self& self, const Measure& measure) {
-             Columns columns;
-             for (int bin = 1; bin <= *measure.bins; ++bin)
-                 columns.push_back(
-                     {*measure.name + "_" + std::to_string(bin), self.species_of(measure).concentration_unit()});
-             return columns;
-         },
          [](const Self& self, const Measure& measure, const FluidMoment& moment) {
              return self.profile(measure, moment);
          }},
         {MeasureKind::spread,
-         [](const Self&, const Measure& measure) {
-             const std::string& name = measure.name;
-             return Columns{{name, "m^2"}, {name + "_diffusivity", "m^2/s"}, {name + "_sherwood", "1"}};
-         },
          [](const Self& self, const Measure& measure, const FluidMoment& moment) {
              return self.spread(measure, moment);
          }},
         {MeasureKind::wall_flux,
-         [](const Self& self, const Measure& measure) {
-             const std::string &name = measure.name, unit = self.species_of(measure).amount_unit();
-             Columns columns{{name, unit + "/s"}, {name + "_total", unit}};
-             if (measure.length.given()) columns.push_back({name + "_sherwood", "1"});
-             return columns;
-         },
          [](const Self& self, const Measure& measure, const FluidMoment& moment) {
              return self.wall_flux(measure, moment);
          }},
         {MeasureKind::peclet,
-         [](const Self&, const Measure& measure) {
-             return Columns{{measure.name, "1"}};
-         },
          [](const Self& self, const Measure& measure, const FluidMoment& moment) {
              return Values{quotient(moment.step.extremes().largest_speed * measure.length, self.diffusivity(measure))};
          }},
         {MeasureKind::uptake,
-         [](const Self& self, const Measure& measure) {
-             const std::string &name = measure.name, unit = self.species_of(measure).amount_unit();
-             return Columns{{name, unit + "/s"}, {name + "_total", unit}};
-         },
          [](const Self& self, const Measure& measure, const FluidMoment& moment) {
              return self.uptake(measure, moment);
          }},
     });
 };
 
-std::vector<MeasureColumn> SpeciesMeasures::columns(const Measure& measure) const {
-    static_assert(has_row_for_each(Rows::all, {MeasureSubject::species}));
-    return row_of(Rows::all, measure.kind).columns(*this, measure);
-}
-
 std::vector<double> SpeciesMeasures::values(const Measure& measure, const FluidMoment& moment) const {
+    static_assert(has_row_for_each(Rows::all, {MeasureSubject::species}));
     return row_of(Rows::all, measure.kind).values(*this, measure, moment);
 }
 
@@ -208,7 +173,7 @@ std::vector<double> SpeciesMeasures::uptake(const Measure& measure, const FluidM
 
 std::vector<double> SpeciesMeasures::wall_flux(const Measure& measure, const FluidMoment& moment) const {
     const int part = space_.part_named(measure.part);
-    if (part < 0) return std::vector<double>(columns(measure).size(), nothing);
+    if (part < 0) return std::vector<double>(measure_columns(scene_, measure).size(), nothing);
     const double taken = moment.step.species()->taken_by_surfaces(moment.particles, scene_.species_of(measure),
                                                                   static_cast<std::uint16_t>(part));
     std::vector<double> values = rate_and_total(taken, moment);

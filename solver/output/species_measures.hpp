@@ -43,7 +43,6 @@ class SpeciesMeasures {
     SpeciesMeasures(const Scene& scene, const ParticleSpace& space, const Ranks& ranks)
         : scene_(scene), space_(space), ranks_(ranks) {}
 
-    [[nodiscard]] std::vector<MeasureColumn> columns(const Measure& measure) const;
     [[nodiscard]] std::vector<double> values(const Measure& measure, const FluidMoment& moment) const;
 
   private:

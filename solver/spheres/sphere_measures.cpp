@@ -46,57 +46,46 @@ std::vector<std::array<std::int64_t, 2>> touching_ids(const SphereStep& step, co
 }  // namespace
 
 struct SphereMeasures::Rows {
-    using Columns = std::vector<MeasureColumn>;
     using Values = std::vector<double>;
 
-    static Columns three(const Measure& measure, const char* unit) {
-        return {{*measure.name + "_x", unit}, {*measure.name + "_y", unit}, {*measure.name + "_z", unit}};
-    }
-
-    static constexpr auto all = std::to_array<MeasureRow<SphereMeasures, SphereStep>>({
-        {MeasureKind::largest_speed,
-         [](const SphereMeasures&, const Measure& measure) {
-             return Columns{{measure.name, "m/s"}};
-         },
-         [](const SphereMeasures& self, const Measure&, const SphereStep& step) {
-             double largest = 0;
-             for (const SphereMotion& sphere : step.rows().motion().first(step.rows().owned()))
-                 largest =
-                     std::max(largest, Vec(sphere.velocity.c[0], sphere.velocity.c[1], sphere.velocity.c[2]).norm());
-             return Values{self.ranks_.largest(largest)};
-         }},
-        {MeasureKind::kinetic_energy,
-         [](const SphereMeasures&, const Measure& measure) {
-             return Columns{{measure.name, "J"}};
-         },
-         [](const SphereMeasures& self, const Measure&, const SphereStep& step) {
-             return Values{solver::kinetic_energy(step, self.ranks_).kinetic()};
-         }},
-        {MeasureKind::velocity, [](const SphereMeasures&, const Measure& measure) { return three(measure, "m/s"); },
-         [](const SphereMeasures& self, const Measure& measure, const SphereStep& step) {
-             return self.mean_of(measure, step, &SphereMotion::velocity);
-         }},
-        {MeasureKind::spin, [](const SphereMeasures&, const Measure& measure) { return three(measure, "rad/s"); },
-         [](const SphereMeasures& self, const Measure& measure, const SphereStep& step) {
-             return self.mean_of(measure, step, &SphereMotion::spin);
-         }},
-        {MeasureKind::wall_force, [](const SphereMeasures&, const Measure& measure) { return three(measure, "N"); },
-         [](const SphereMeasures& self, const Measure&, const SphereStep& step) {
-             Values values;
-             for (ExactSum force : step.walls().total_force()) {
-                 self.ranks_.sum(force);
-                 values.push_back(force.value());
-             }
-             return values;
-         }},
-        {MeasureKind::detached,
-         [](const SphereMeasures&, const Measure& measure) {
-             return Columns{{measure.name, "1"}, {*measure.name + "_upper", "1"}, {*measure.name + "_lower", "1"}};
-         },
-         [](const SphereMeasures& self, const Measure& measure, const SphereStep& step) {
-             return self.detached(measure, step);
-         }},
-    });
+    static constexpr auto
+        all =
+            std::
+                to_array<MeasureRow<SphereMeasures, SphereStep>>(
+                    {
+                        {MeasureKind::largest_speed,
+                         [](const SphereMeasures& self, const Measure&, const SphereStep& step) {
+                             double largest = 0;
+                             for (const SphereMotion& sphere : step.rows().motion().first(step.rows().owned()))
+                                 largest = std::max(
+                                     largest,
+                                     Vec(sphere.velocity.c[0], sphere.velocity.c[1], sphere.velocity.c[2]).norm());
+                             return Values{self.ranks_.largest(largest)};
+                         }},
+                        {MeasureKind::kinetic_energy,
+                         [](const SphereMeasures& self, const Measure&, const SphereStep& step) {
+                             return Values{solver::kinetic_energy(step, self.ranks_).kinetic()};
+                         }},
+                        {MeasureKind::velocity,
+                         [](const SphereMeasures& self, const Measure& measure, const SphereStep& step) {
+                             return self.mean_of(measure, step, &SphereMotion::velocity);
+                         }},
+                        {MeasureKind::spin,
+                         [](const SphereMeasures& self, const Measure& measure, const SphereStep& step) {
+                             return self.mean_of(measure, step, &SphereMotion::spin);
+                         }},
+                        {MeasureKind::wall_force,
+                         [](const SphereMeasures& self, const Measure&, const SphereStep& step) {
+                             Values values;
+                             for (ExactSum force : step.walls().total_force()) {
+                                 self.ranks_.sum(force);
+                                 values.push_back(force.value());
+                             }
+                             return values;
+                         }},
+                        {MeasureKind::detached, [](const SphereMeasures& self, const Measure& measure,
+                                                   const SphereStep& step) { return self.detached(measure, step); }},
+                    });
 };
 
 SphereMeasures::SphereMeasures(const Scene& scene, const ParticleSet& set, const Ranks& ranks)
@@ -105,7 +94,7 @@ SphereMeasures::SphereMeasures(const Scene& scene, const ParticleSet& set, const
     for (const Measure& measure : scene.measures) {
         if (measure.part.given() && set.part_named(measure.part) < 0) continue;  // not enabled
         measures_.push_back(measure);
-        for (const auto& [name, unit] : row_of(Rows::all, measure.kind).columns(*this, measure)) {
+        for (const auto& [name, unit] : measure_columns(scene, measure)) {
             series_.names.push_back(name);
             series_.units.push_back(unit);
         }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/measure_columns.hpp"
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/residence_times.hpp"
 #include "solver/run/setup.hpp"

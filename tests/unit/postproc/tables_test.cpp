@@ -66,6 +66,20 @@ TEST(Summary, HasTheEnergyOfSpheres) {
     EXPECT_EQ(energy["end"]["translation"], 0.5);
 }
 
+TEST(Summary, HasDistancesFromReferences) {
+    EXPECT_FALSE(written(some_summary()).contains("references"));
+    const TemporaryFolder folder;
+    SummaryExtra extra;
+    extra.references = {{"flow", "flow_x", "Author 1997", 0.01, 0.02, 0.03, 0.04, 0.04},
+                        {"gap", "gap", "measured", missing, missing, missing, missing, missing, "it is 0"}};
+    write_summary(folder.path(), some_summary(), extra);
+    const auto json = nlohmann::json::parse(read_file(folder.path() / "summary.json"))["references"];
+    EXPECT_EQ(json[0], nlohmann::json::parse(R"({"measure": "flow", "column": "flow_x", "source": "Author 1997",
+        "error": 0.04, "distance": {"whole": 0.01, "end": 0.02, "peak": 0.03, "integral": 0.04}})"));
+    EXPECT_EQ(json[1]["error"], nullptr);
+    EXPECT_EQ(json[1]["distance"]["whole"], nullptr);
+}
+
 TEST(MeasuresCsv, HasThisText) {
     const TemporaryFolder folder;
     write_measures_csv(folder.path(), two_measures());
@@ -114,6 +128,13 @@ TEST(MeasuresCsv, GrowsWithTheRun) {
     series.time.push_back(0.3);
     series.rows.push_back({1, 2});
     EXPECT_THROW(file.write(series), ResourceError) << "somebody took it away";
+}
+
+TEST(MeasuresCsv, MayHaveAnotherName) {
+    const TemporaryFolder folder;
+    MeasuresFile(folder.path(), references_file_name).write(two_measures());
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "measures.csv"));
+    EXPECT_EQ(read_measures_csv(folder.path(), references_file_name).names, two_measures().names);
 }
 
 TEST(MeasuresCsv, WithoutMeasuresIsTheHeadingAlone) {

@@ -26,6 +26,29 @@ TEST(PlotData, HasNamesUnitsTimesAndValues) {
     EXPECT_EQ(json["measures"][1]["value"], (nlohmann::json{nullptr, 4.0}));
 }
 
+TEST(PlotData, HasReferencesAtTheTimesOfTheirMeasures) {
+    const MeasureSeries measures{{"flow", "gap"}, {"m/s", "m"}, {0, 0.5, 1}, {{1, 2}, {3, 4}, {5, 6}}};
+    const MeasureSeries references{{"gap"}, {"m"}, {0, 0.25, 1}, {{missing}, {7}, {1.0 / 3}}};
+    const auto json = nlohmann::json::parse(plot_data(measures, references))["measures"];
+    EXPECT_FALSE(json[0].contains("reference"));
+    EXPECT_EQ(json[1]["reference"], (nlohmann::json{nullptr, nullptr, 0.3333333})) << "none at 0.5 s";
+}
+
+TEST(PlotData, ReferencesOfThinnedMeasuresAreAtThePointsThatAreLeft) {
+    MeasureSeries measures{{"a"}, {"m"}, {}, {}}, references = measures;
+    for (int i = 0; i < 10'000; ++i) {
+        measures.time.push_back(i);
+        measures.rows.push_back({i % 7 - 3.0});
+        references.time.push_back(i);
+        references.rows.push_back({2.0 * i});
+    }
+    const auto json = nlohmann::json::parse(plot_data(measures, references))["measures"][0];
+    ASSERT_EQ(json["reference"].size(), json["time"].size());
+    EXPECT_LE(json["time"].size(), most_points);
+    for (std::size_t k = 0; k < json["time"].size(); ++k)
+        EXPECT_EQ(json["reference"][k].get<double>(), 2 * json["time"][k].get<double>());
+}
+
 TEST(PlotData, CannotEndItsScript) {
     const std::string text = plot_data({{"</script><script>alert(1)</script>"}, {"<m>"}, {0}, {{1}}});
     EXPECT_THAT(text, Not(HasSubstr("<")));
@@ -62,6 +85,18 @@ TEST(MeasuresSection, NamesEachPlotWithItsUnitAndSaysWhatNeedsJavaScript) {
     EXPECT_THAT(text, HasSubstr("<th scope=\"row\">tip &lt;gap&gt; [m]</th><td class=\"number\">1</td><td "
                                 "class=\"number\">2.5</td><td class=\"number\">not known</td>"));
     EXPECT_THAT(text, Not(HasSubstr("at most")));
+}
+
+TEST(MeasuresSection, SaysWhatTheReferenceIs) {
+    RunFiles run;
+    run.measures = MeasureSeries{{"flow", "gap"}, {"m/s", "m"}, {0}, {{1, 2}}};
+    run.references = MeasureSeries{{"flow"}, {"m/s"}, {0}, {{1}}};
+    EXPECT_THAT(measures_section(run), HasSubstr("<figcaption>flow [m/s] <span class=\"note\">dashed: "
+                                                 "reference</span></figcaption>"));
+    run.summary = {{"references", {{{"column", "flow"}, {"source", "A <1997>"}, {"error", 0.00428}}}}};
+    const std::string text = measures_section(run);
+    EXPECT_THAT(text, HasSubstr("dashed: reference (A &lt;1997&gt;); 0.43 % from it</span>"));
+    EXPECT_THAT(text, HasSubstr("<figcaption>gap [m]</figcaption>"));
 }
 
 }  // namespace

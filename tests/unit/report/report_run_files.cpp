@@ -70,6 +70,17 @@ TEST_F(RunFilesOf, PicturesThatAreNoneOrTooLargeAreNoted) {
                                        HasSubstr("measures.png (2.5 MB) is left out")));
 }
 
+TEST_F(RunFilesOf, HaveReferencesWhereTheyAreThere) {
+    EXPECT_THAT(folder_.read().references.names, IsEmpty());
+    folder_.write("references.csv", "time [s],flux [m^3/s]\n0,1\n0.5,3\n");
+    const RunFiles run = folder_.read();
+    EXPECT_THAT(run.references.names, ElementsAre("flux"));
+    EXPECT_EQ(run.references.rows[1][0], 3);
+    EXPECT_THAT(run.notes, IsEmpty());
+    folder_.write("references.csv", "time [s],flux [m^3/s]\n0,1\n0.5");
+    EXPECT_THAT(folder_.read().notes, ElementsAre("references.csv is damaged: found 1 values, expected 2"));
+}
+
 TEST_F(RunFilesOf, FramesThatCannotBeReadAreNoted) {
     EXPECT_THAT(folder_.read().particles.times, ElementsAre(0, 0.5));
     const auto notes = [&](const OpenParaviewFrames& open) { return read_run_files(folder_.path(), open).notes; };
