@@ -89,6 +89,7 @@ TEST(MeasuresSection, NamesEachPlotWithItsUnitAndSaysWhatNeedsJavaScript) {
 
 TEST(MeasuresSection, SaysWhatTheReferenceIs) {
     RunFiles run;
+    run.summary = JsonValue::Json::object();
     run.measures = MeasureSeries{{"flow", "gap"}, {"m/s", "m"}, {0}, {{1, 2}}};
     run.references = MeasureSeries{{"flow"}, {"m/s"}, {0}, {{1}}};
     EXPECT_THAT(measures_section(run), HasSubstr("<figcaption>flow [m/s] <span class=\"note\">dashed: "

@@ -378,7 +378,7 @@ INSTANTIATE_TEST_SUITE_P(
               "[particles], "
               "[[part]], [[join]], [[contact_pair]], [box], "
               "[flow], [contact], [numerics], [run], [output], [[species]], [[force]], [[moving_shape]], [[region]], "
-              "[[measure]], [[solidify]], [[break]]"}}),
+              "[[measure]], [[reference]], [[solidify]], [[break]]"}}),
     name_of);
 
 TEST(PressureGradient, without_a_fluid_is_refused) {

@@ -101,7 +101,7 @@ TEST(ExplainKey, near_misses) {
               "[geometry], [[select]], [particles], "
               "[[part]], [[join]], [[contact_pair]], [box], [flow], [contact], [numerics], [run], [output], "
               "[[species]], [[force]], "
-              "[[moving_shape]], [[region]], [[measure]], [[solidify]], [[break]]");
+              "[[moving_shape]], [[region]], [[measure]], [[reference]], [[solidify]], [[break]]");
 }
 
 TEST(SceneReference, has_one_line_a_key_in_the_order_of_a_scene) {

@@ -82,9 +82,9 @@ TEST(ExactValues, AreThoseOfTheColumn) {
 
 TEST(ExactValues, OfAWrongFileSayWhatIsWrong) {
     EXPECT_EQ(fault_of_table(""),
-              "scene.toml:57:8: reference.file: there is no file './values.csv'\n"
+              "scene.toml:55:8: reference.file: there is no file './values.csv'\n"
               "  give a CSV file relative to the folder of the scene");
-    EXPECT_EQ(fault_of_table("\n0,1\n"),
+    EXPECT_EQ(fault_of_table("\n0\n"),
               "./values.csv:1:1: the table has no column 'time', for the times\n"
               "  its columns are '': write the heading as 'time [UNIT]'");
     EXPECT_EQ(fault_of_table("time [s],flow [m/s]\n0,1\n"),
@@ -92,7 +92,7 @@ TEST(ExactValues, OfAWrongFileSayWhatIsWrong) {
               "  its columns are 'time' and 'flow': write the heading as 'flow_x [UNIT]'");
     EXPECT_EQ(fault_of_table("time [s],flow_x [m]\n0,1\n1,1\n"),
               "./values.csv:1:1: 'flow_x' is a length here, expected a speed\n"
-              "  give it in m*s^-1, or another unit of the same quantity");
+              "  give it in m/s, or another unit of the same quantity");
     EXPECT_EQ(fault_of_table("time,flow_x [m/s]\n0,1\n1,1\n"),
               "./values.csv:1:1: 'time' is a number here, expected a time\n"
               "  give it in s, or another unit of the same quantity");
