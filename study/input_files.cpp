@@ -32,6 +32,7 @@ std::string hash_of(const std::filesystem::path& file) {
 std::vector<InputFile> input_files(const Study& study) {
     std::set<std::string> names{*study.scene.geometry.file};
     for (const Part& part : study.scene.parts) names.insert({*part.file, *part.positions});
+    for (const Reference& reference : study.scene.references) names.insert(*reference.file);
     for (const Vary& vary : study.vary)
         for (std::size_t k = 0; k < vary.keys.size(); ++k)
             if (names_a_file(*vary.keys[k].key))

@@ -14,8 +14,8 @@ struct InputFile {
     std::string hash;  ///< of its contents, 16 hex digits; "" where it cannot be read
 };
 
-/// The files of geometry, surfaces and positions that the runs of a study read, each once, by name. What such a file
-/// reads in turn is not among them.
+/// The files of geometry, surfaces, positions and references that the runs of a study read, each once, by name. What
+/// such a file reads in turn is not among them.
 [[nodiscard]] std::vector<InputFile> input_files(const Study& study);
 
 }  // namespace dmp::study
