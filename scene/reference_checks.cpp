@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/nearest_name.hpp"
+#include "base/number_text.hpp"
 #include "scene/formula.hpp"
 #include "scene/measure_columns.hpp"
 
@@ -98,7 +99,7 @@ void check_formula(const Scene& scene, const Reference& reference, const Measure
         const double time = from + std::max(0.0, end - from) * k / tries;
         if (std::isfinite(formula(time))) continue;
         throw InputError(
-            at, "the reference for '" + column.name + "' is no finite number at t = " + exact_text(time) + " s",
+            at, "the reference for '" + column.name + "' is no finite number at t = " + number_text(time) + " s",
             "check for a division by zero, or a root or logarithm of a negative number; 'from' and "
             "'until' leave out times at which it does not hold");
     }

@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  write formula = \"0.2 m/s\", with the unit you mean"},
         Fault{"no_formula", "formula = 0\n", "formula = [1]\n",
               "scene.toml:69:11: reference.formula: found a list, expected a formula such as \"0.1 m/s * exp(-t / 2 "
-              "s)\""},
+              "s)\"\n  give formula a formula such as \"0.1 m/s * exp(-t / 2 s)\""},
         Fault{"of_position", "exp(-t / 500 ms)", "exp(-x / 1 mm)",
               "scene.toml:61:11: the reference for 'flow_x' depends on x, y or z: \"20 cm/s * (1 - exp(-x / 1 mm))\"\n"
               "  write a formula of t: a measure has one value at a time"},
