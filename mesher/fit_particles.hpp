@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/unlisted_value.hpp"
 #include "geometry/geometry.hpp"
 #include "mesher/features.hpp"
 #include "mesher/mesh.hpp"
@@ -36,9 +37,21 @@ struct FitBounds {
     double cell_volume = 0;                 ///< what a lattice point stands for [m^2 x 1 m or m^3]
 };
 
+/// Whether particles are moved until they follow the surfaces.
+[[nodiscard]] inline bool is_fitted(FillKind fill) {
+    switch (fill) {
+        case FillKind::lattice:
+            return false;
+        case FillKind::relaxed:
+        case FillKind::sampled:
+            return true;
+    }
+    unlisted_value(fill);
+}
+
 /// Layers that walls are given beyond those asked for until they are fitted: what stands still behind what moves.
 [[nodiscard]] inline int spare_layers(const Scene& scene) {
-    return *scene.particles.fill != FillKind::lattice ? static_cast<int>(std::ceil(scene.numerics.support)) : 0;
+    return is_fitted(scene.particles.fill) ? static_cast<int>(std::ceil(scene.numerics.support)) : 0;
 }
 
 /// particles.fill = "relaxed" or "sampled": takes the nearest particles to the places at corners and edges, where they

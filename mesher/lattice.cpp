@@ -4,12 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/unlisted_value.hpp"
+
 namespace dmp::mesher {
 
 std::array<double, 2> Lattice::wanted_step(double spacing, Arrangement arrangement) {
-    if (arrangement == Arrangement::square) return {spacing, spacing};
     const double nearest = spacing * std::sqrt(2 / std::sqrt(3.0));
-    return {nearest, nearest * std::sqrt(0.75)};
+    switch (arrangement) {
+        case Arrangement::square:
+            return {spacing, spacing};
+        case Arrangement::hexagonal:
+            return {nearest, nearest * std::sqrt(0.75)};
+        case Arrangement::fcc:
+            break;  // in 3-D only: the scene's checks refuse it
+    }
+    unlisted_value(arrangement);
 }
 
 Lattice::Lattice(const Box& box, const std::array<bool, 3>& periodic, double spacing, Arrangement arrangement,

@@ -70,7 +70,7 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     cost.candidates = builder.candidates();
     mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);
     if (*scene.particles.fill == FillKind::sampled) builder.sample();
-    if (*scene.particles.fill != FillKind::lattice) {
+    if (is_fitted(scene.particles.fill)) {
         builder.fit();
         mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);  // walls and solids moved
     } else
@@ -114,7 +114,7 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
             [&](std::size_t i, const Vec& point) { return builder.holds(i, point) && builder.clear_of_bodies(point); });
     mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);
     if (*scene.particles.fill == FillKind::sampled) builder.sample();
-    if (*scene.particles.fill != FillKind::lattice) {
+    if (is_fitted(scene.particles.fill)) {
         builder.fit();
         mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);  // walls and solids moved
     } else

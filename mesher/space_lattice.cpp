@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/unlisted_value.hpp"
+
 namespace dmp::mesher {
 
 namespace {
@@ -13,22 +15,30 @@ bool is_odd(long k) { return k % 2 != 0; }
 
 /// Points, lines and rows that make the cell which repeats.
 std::array<int, 3> repeat_of(Arrangement arrangement) {
-    if (arrangement == Arrangement::fcc || arrangement == Arrangement::hexagonal) return {1, 2, 2};
-    return {1, 1, 1};
+    switch (arrangement) {
+        case Arrangement::square:
+            return {1, 1, 1};
+        case Arrangement::hexagonal:
+        case Arrangement::fcc:
+            return {1, 2, 2};
+    }
+    unlisted_value(arrangement);
 }
 
 }  // namespace
 
 std::array<double, 3> SpaceLattice::wanted_step(double spacing, Arrangement arrangement) {
-    if (arrangement == Arrangement::fcc) {
-        const double edge = spacing * std::cbrt(4.0);  // of the cube that holds four points
-        return {edge, edge / 2, edge / 2};
+    const double edge = spacing * std::cbrt(4.0);  // of the cube that holds four points
+    const double nearest = spacing * std::pow(2.0, 1.0 / 6);
+    switch (arrangement) {
+        case Arrangement::square:
+            return {spacing, spacing, spacing};
+        case Arrangement::hexagonal:
+            return {nearest, nearest * std::numbers::sqrt3 / 2, nearest * std::sqrt(2.0 / 3)};
+        case Arrangement::fcc:
+            return {edge, edge / 2, edge / 2};
     }
-    if (arrangement == Arrangement::hexagonal) {
-        const double nearest = spacing * std::pow(2.0, 1.0 / 6);
-        return {nearest, nearest * std::numbers::sqrt3 / 2, nearest * std::sqrt(2.0 / 3)};
-    }
-    return {spacing, spacing, spacing};
+    unlisted_value(arrangement);
 }
 
 SpaceLattice::SpaceLattice(const Box& box, const std::array<bool, 3>& periodic, double spacing, Arrangement arrangement,

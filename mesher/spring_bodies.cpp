@@ -112,27 +112,28 @@ std::vector<int> pieces_of(const SpringLattice& lattice, int& pieces) {
 
 void add_elastic_of(const SpringLattice& lattice, std::size_t first, ParticleSet& set, MeshReport::SpringLine& line) {
     const auto shift = static_cast<int>(first);
-    for (Bond bond : lattice.bonds) {
+    const auto& [nodes, share, bonds, hinges, dihedrals] = lattice;  // all: one more does not compile
+    for (Bond bond : bonds) {
         bond.a += shift;
         bond.b += shift;
         set.bonds.push_back(bond);
     }
-    for (Hinge hinge : lattice.hinges) {
+    for (Hinge hinge : hinges) {
         hinge.a += shift;
         hinge.centre += shift;
         hinge.b += shift;
         set.hinges.push_back(hinge);
     }
-    for (Dihedral dihedral : lattice.dihedrals) {
+    for (Dihedral dihedral : dihedrals) {
         dihedral.a += shift;
         dihedral.b += shift;
         dihedral.c += shift;
         dihedral.d += shift;
         set.dihedrals.push_back(dihedral);
     }
-    line.bonds += lattice.bonds.size();
-    line.hinges += lattice.hinges.size();
-    line.dihedrals += lattice.dihedrals.size();
+    line.bonds += bonds.size();
+    line.hinges += hinges.size();
+    line.dihedrals += dihedrals.size();
 }
 
 void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part,

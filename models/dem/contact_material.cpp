@@ -65,16 +65,22 @@ ContactConstants<> contact_constants(const ContactMaterial& i, const ContactMate
     pair.normal_stiffness = settings.normal_stiffness_factor * 4.0 / 3 / normal;
     pair.tangential_stiffness =
         settings.tangential_stiffness_factor * 8.0 / (shear_compliance(i) + shear_compliance(j));
-    if (settings.damping == ContactDamping::coefficients) {
-        pair.normal_rate = settings.normal_rate;
-        pair.tangential_rate = settings.tangential_rate;
-    } else {
-        const bool pull = settings.damping == ContactDamping::restitution;
+    const auto add_dashpots = [&](double normal_ratio) {
         const double ratio = RestitutionDashpot::ratio_with_pull(settings.restitution);
-        pair.normal_dashpot = RestitutionDashpot::normal(
-            pull ? ratio : RestitutionDashpot::ratio_without_pull(settings.restitution), pair.normal_stiffness);
+        pair.normal_dashpot = RestitutionDashpot::normal(normal_ratio, pair.normal_stiffness);
         pair.tangential_dashpot = RestitutionDashpot::tangential(ratio, pair.tangential_stiffness);
-        if (!pull) pair.least_normal = 0;
+    };
+    switch (settings.damping) {
+        case ContactDamping::restitution:
+            add_dashpots(RestitutionDashpot::ratio_with_pull(settings.restitution));
+            break;
+        case ContactDamping::restitution_no_pull:
+            add_dashpots(RestitutionDashpot::ratio_without_pull(settings.restitution));
+            pair.least_normal = 0;
+            break;
+        case ContactDamping::coefficients:
+            pair.normal_rate = settings.normal_rate;
+            pair.tangential_rate = settings.tangential_rate;
     }
     pair.friction = settings.friction;
     pair.rolling_friction = settings.rolling_friction;

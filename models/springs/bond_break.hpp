@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/unlisted_value.hpp"
+
 namespace dmp::models {
 
 enum class BreakCriterion { force, strain };
@@ -15,8 +17,13 @@ struct BondBreak {
 
     /// Relative excess over the limit, load / limit - 1; the bond breaks if this is positive.
     [[nodiscard]] double excess(double stretch, double rest_length, double stiffness) const {
-        const double load = criterion == BreakCriterion::force ? 2 * stiffness * stretch : stretch / rest_length;
-        return load / limit - 1;
+        switch (criterion) {
+            case BreakCriterion::force:
+                return 2 * stiffness * stretch / limit - 1;
+            case BreakCriterion::strain:
+                return stretch / rest_length / limit - 1;
+        }
+        unlisted_value(criterion);
     }
 };
 

@@ -59,16 +59,17 @@ class Graph {
     /// Returns the origin of the bond, or -1 if there is none.
     int cut(const std::array<int, 2>& ids) {
         const Ends ends = in_order(number_.at(ids[0]), number_.at(ids[1]));
-        const auto found = std::ranges::find_if(
-            all_.bonds, [&](const auto& bond) { return in_order(bond.node[0], bond.node[1]) == ends; });
-        if (found == all_.bonds.end()) return -1;
+        auto& [nodes, bonds, hinges, dihedrals, held_apart] = all_;  // all: one more does not compile
+        const auto found =
+            std::ranges::find_if(bonds, [&](const auto& bond) { return in_order(bond.node[0], bond.node[1]) == ends; });
+        if (found == bonds.end()) return -1;
         const int origin = found->origin;
-        all_.bonds.erase(found);
-        std::erase_if(all_.hinges, [&](const auto& hinge) {
+        bonds.erase(found);
+        std::erase_if(hinges, [&](const auto& hinge) {
             return in_order(hinge.node[0], hinge.node[1]) == ends || in_order(hinge.node[2], hinge.node[1]) == ends;
         });
         // a, b, c and b, c, d are triangles; a-d is not a side of either.
-        std::erase_if(all_.dihedrals, [&](const auto& dihedral) {
+        std::erase_if(dihedrals, [&](const auto& dihedral) {
             for (int i = 0; i < 4; ++i)
                 for (int j = 0; j < i; ++j)
                     if (i - j < 3 && in_order(dihedral.node[i], dihedral.node[j]) == ends) return true;
@@ -85,9 +86,10 @@ class Graph {
             for (const auto& spring : springs)
                 for (const int node : spring.node) together.join(node, spring.node[0]);
         };
-        join(all_.bonds);
-        join(all_.hinges);
-        join(all_.dihedrals);
+        const auto& [nodes, bonds, hinges, dihedrals, held_apart] = all_;
+        join(bonds);
+        join(hinges);
+        join(dihedrals);
 
         std::vector<int> by_id(count);
         std::iota(by_id.begin(), by_id.end(), 0);
@@ -109,9 +111,9 @@ class Graph {
                 (piece.*member).push_back(spring);
             }
         };
-        hand_out(all_.bonds, &BodyParts::bonds);
-        hand_out(all_.hinges, &BodyParts::hinges);
-        hand_out(all_.dihedrals, &BodyParts::dihedrals);
+        hand_out(bonds, &BodyParts::bonds);
+        hand_out(hinges, &BodyParts::hinges);
+        hand_out(dihedrals, &BodyParts::dihedrals);
         for (const auto& [a, b] : held_apart_)
             if (position_of[a].first == position_of[b].first)
                 pieces[position_of[a].first].held_apart.push_back(
@@ -142,10 +144,11 @@ class Graph {
                 to.push_back(spring);
             }
         };
-        add(all_.bonds, body.bonds);
-        add(all_.hinges, body.hinges);
-        add(all_.dihedrals, body.dihedrals);
-        for (const auto& [a, b] : body.held_apart) held_apart_.emplace(a + first, b + first);
+        const auto& [nodes, bonds, hinges, dihedrals, held_apart] = body;
+        add(all_.bonds, bonds);
+        add(all_.hinges, hinges);
+        add(all_.dihedrals, dihedrals);
+        for (const auto& [a, b] : held_apart) held_apart_.emplace(a + first, b + first);
     }
 
     /// Joins the bodies of two nodes, in the images in which the nodes are nearest. Returns false if the nodes are

@@ -187,8 +187,9 @@ bool joins_own_nodes(const BodyParts& body) {
     const auto all_own = [&](const auto& springs) {
         return std::ranges::all_of(springs, [&](const auto& spring) { return std::ranges::all_of(spring.node, own); });
     };
-    return all_own(body.bonds) && all_own(body.hinges) && all_own(body.dihedrals) &&
-           std::ranges::all_of(body.held_apart, [&](const auto& pair) { return own(pair.first) && own(pair.second); });
+    const auto& [nodes, bonds, hinges, dihedrals, held_apart] = body;  // all: one more does not compile
+    return all_own(bonds) && all_own(hinges) && all_own(dihedrals) &&
+           std::ranges::all_of(held_apart, [&](const auto& pair) { return own(pair.first) && own(pair.second); });
 }
 
 }  // namespace
@@ -208,7 +209,8 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
     };
     if (file.loading()) bodies.clear();
     through.list(bodies, [&](BodyParts& body) {
-        through.list(body.nodes, [&](BodyParts::Node& node) {
+        auto& [nodes, bonds, hinges, dihedrals, held_apart] = body;
+        through.list(nodes, [&](BodyParts::Node& node) {
             through(node.id);
             through(node.fixed);
             through(node.of_wall);
@@ -218,10 +220,10 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
             for (Vec* vector : {&node.position, &node.velocity, &node.position_before, &node.rest_position})
                 through(*vector);
         });
-        springs(body.bonds);
-        springs(body.hinges);
-        springs(body.dihedrals);
-        through.list(body.held_apart, [&](std::pair<int, int>& pair) {
+        springs(bonds);
+        springs(hinges);
+        springs(dihedrals);
+        through.list(held_apart, [&](std::pair<int, int>& pair) {
             through(pair.first);
             through(pair.second);
         });

@@ -6,11 +6,26 @@
 #include <limits>
 #include <set>
 
+#include "base/unlisted_value.hpp"
 #include "solver/parallel/each_of.hpp"
 #include "solver/parallel/exact_sum.hpp"
 #include "solver/state/loaded_groups.hpp"
 
 namespace dmp::solver {
+
+namespace {
+
+bool is_implicit(SpringStepping stepping) {
+    switch (stepping) {
+        case SpringStepping::implicit:
+            return true;
+        case SpringStepping::subcycled:
+            return false;
+    }
+    unlisted_value(stepping);
+}
+
+}  // namespace
 
 SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ranks& ranks, const SpringContact& contact,
                            double liquid_density)
@@ -21,7 +36,7 @@ SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ran
       names_(body_names(scene)),
       tally_(names_.size()),
       changes_(scene.changes_bodies()),
-      implicit_(scene.numerics.spring_stepping.value == SpringStepping::implicit),
+      implicit_(is_implicit(scene.numerics.spring_stepping)),
       step_factor_(scene.numerics.spring_step_factor) {
     const int count = set.body.empty() ? 0 : *std::max_element(set.body.begin(), set.body.end()) + 1;
     const InitialSprings drawn(set, scene, liquid_density);
@@ -124,9 +139,10 @@ void SpringBodies::archive_parts(Archive& file) {
     };
     bodies_.clear();
     for (const BodyParts& body : parts) {
-        const bool has_own = !std::ranges::all_of(body.nodes, [](const auto& node) { return node.of_wall; });
-        if (!has_own || !std::ranges::all_of(body.nodes, known) || !std::ranges::all_of(body.bonds, known) ||
-            !std::ranges::all_of(body.hinges, known) || !std::ranges::all_of(body.dihedrals, known))
+        const auto& [nodes, bonds, hinges, dihedrals, held_apart] = body;  // all: one more does not compile
+        const bool has_own = !std::ranges::all_of(nodes, [](const auto& node) { return node.of_wall; });
+        if (!has_own || !std::ranges::all_of(nodes, known) || !std::ranges::all_of(bonds, known) ||
+            !std::ranges::all_of(hinges, known) || !std::ranges::all_of(dihedrals, known))
             throw unlike_any_run("a body of no solid of the scene");
         bodies_.push_back(made_of(body));
     }

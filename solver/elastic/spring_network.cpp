@@ -29,7 +29,8 @@ template <int D>
 SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name, double spacing,
                                 const SpringContact& contact)
     : SpringBody(name), spacing_(spacing) {
-    for (const BodyParts::Node& node : parts.nodes) {
+    const auto& [nodes, bonds, hinges, dihedrals, held_apart] = parts;  // all: one more does not compile
+    for (const BodyParts::Node& node : nodes) {
         ids_.push_back(node.id);
         fixed_.push_back(node.fixed ? 1 : 0);
         of_wall_.push_back(node.of_wall ? 1 : 0);
@@ -42,17 +43,17 @@ SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name,
         position_at_rest_.push_back(of_space(node.rest_position));
     }
     force_.assign(ids_.size(), {});
-    for (const auto& bond : parts.bonds) {
+    for (const auto& bond : bonds) {
         bonds_.push_back({bond.node, BondForce<D>(bond.rest, {bond.stiffness, bond.dashpot})});
         bond_list_.push_back({bond.node[0], bond.node[1], bond.rest, bond.stiffness});
         bond_origin_.push_back(bond.origin);
     }
-    for (const auto& hinge : parts.hinges)
+    for (const auto& hinge : hinges)
         hinges_.push_back({hinge.node, HingeForce<D>(hinge.rest, {hinge.stiffness, hinge.dashpot})});
     if constexpr (D == 3)
-        for (const auto& dihedral : parts.dihedrals)
+        for (const auto& dihedral : dihedrals)
             dihedrals_.push_back({dihedral.node, DihedralForce(dihedral.rest, {dihedral.stiffness, dihedral.dashpot})});
-    if (contact.on()) self_contact_ = std::make_unique<SelfContact<D>>(contact, parts.held_apart, of_wall_);
+    if (contact.on()) self_contact_ = std::make_unique<SelfContact<D>>(contact, held_apart, of_wall_);
 }
 
 template <int D>

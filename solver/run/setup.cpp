@@ -6,6 +6,7 @@
 
 #include <omp.h>
 
+#include "base/unlisted_value.hpp"
 #include "models/contact/repulsion.hpp"
 #include "solver/elastic/node_mass.hpp"
 #include "solver/forcing/drive_time.hpp"
@@ -67,6 +68,26 @@ double density_ratio(const Scene& scene) {
     return scene.parts_of(PartKind::fluid).empty() ? 1 : largest_density(scene) / lightest_density(scene);
 }
 
+bool is_by_summation(DensityModel density) {
+    switch (density) {
+        case DensityModel::continuity:
+            return false;
+        case DensityModel::summation:
+            return true;
+    }
+    unlisted_value(density);
+}
+
+bool is_implicit(ViscosityStepping stepping) {
+    switch (stepping) {
+        case ViscosityStepping::explicitly:
+            return false;
+        case ViscosityStepping::implicitly:
+            return true;
+    }
+    unlisted_value(stepping);
+}
+
 }  // namespace
 
 double sound_speed(const Scene& scene) {
@@ -87,7 +108,7 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     settings.support = scene.numerics.support * scene.particles.spacing;
     settings.sound_speed = sound_speed(scene);
     settings.background_pressure = scene.numerics.background_pressure;
-    settings.density.by_summation = *scene.numerics.density == DensityModel::summation;
+    settings.density.by_summation = is_by_summation(scene.numerics.density);
     settings.gradient_correction = scene.numerics.gradient_correction;
     settings.transport_velocity = scene.numerics.transport_velocity;
     settings.density.diffusion = settings.density.by_summation ? 0 : scene.numerics.density_diffusion.value;
@@ -106,8 +127,7 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
                                           : 0.002 * settings.density.largest * settings.sound_speed *
                                                 settings.sound_speed * range * range * depth;
     }
-    settings.viscosity.implicit =
-        *scene.numerics.viscosity_stepping == ViscosityStepping::implicitly && settings.viscosity.largest > 0;
+    settings.viscosity.implicit = is_implicit(scene.numerics.viscosity_stepping) && settings.viscosity.largest > 0;
     for (std::size_t axis = 0; axis < 3; ++axis) settings.periodic[axis] = scene.flow.periodic[axis];
     for (const Part* part : scene.parts_of(PartKind::rigid)) {
         settings.walls.slip = settings.walls.slip || part->slip;

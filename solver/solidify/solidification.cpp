@@ -224,10 +224,14 @@ void Solidification::act(std::int64_t event, const ParticleStore& particles, Flu
     }
     for (const BondCandidate& bond : bonds)
         add_bond(change, springs, static_cast<int>(bond.seed), static_cast<int>(bond.liquid));
-    if (*rule_.bond_to == BondTo::neighbours) {
-        std::vector<SolidifyingParticle> fresh = new_seeds;
-        fresh.insert(fresh.end(), turned.begin(), turned.end());
-        bond_to_neighbours(change, fresh, particles, springs);
+    switch (*rule_.bond_to) {
+        case BondTo::seed:
+            break;
+        case BondTo::neighbours: {
+            std::vector<SolidifyingParticle> fresh = new_seeds;
+            fresh.insert(fresh.end(), turned.begin(), turned.end());
+            bond_to_neighbours(change, fresh, particles, springs);
+        }
     }
     if (!change.empty()) fluid.change_bodies(change);
 }

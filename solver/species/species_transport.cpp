@@ -6,6 +6,7 @@
 #include <functional>
 #include <sstream>
 
+#include "base/unlisted_value.hpp"
 #include "particles/periodic_images.hpp"
 #include "solver/implicit/species_system.hpp"
 #include "solver/state/loaded_groups.hpp"
@@ -52,6 +53,16 @@ double common_diffusivity(const Scene& scene, const Species& species) {
     return alike ? first : -1;
 }
 
+bool is_implicit(SpeciesStepping stepping) {
+    switch (stepping) {
+        case SpeciesStepping::explicitly:
+            return false;
+        case SpeciesStepping::implicitly:
+            return true;
+    }
+    unlisted_value(stepping);
+}
+
 }  // namespace
 
 SpeciesTransport::SpeciesTransport(const Scene& scene, const ParticleSet& set, ParticleStore& particles,
@@ -60,7 +71,7 @@ SpeciesTransport::SpeciesTransport(const Scene& scene, const ParticleSet& set, P
       rest_density_(std::move(rest_density)),
       ranks_(ranks),
       threads_(settings.threads),
-      implicit_(*scene.numerics.species_stepping == SpeciesStepping::implicitly),
+      implicit_(is_implicit(scene.numerics.species_stepping)),
       tolerance_(scene.numerics.species_tolerance),
       one_density_(std::ranges::all_of(rest_density_, [&](double one) { return one == rest_density_.front(); })) {
     for (const Species& species : given_) {
@@ -120,7 +131,7 @@ void SpeciesTransport::declare(const Scene& scene, ParticleStore& particles) {
         if (!is_fluid || solids || !alike) group.declare(Field::species_diffusivity, count);
         if (!is_fluid) group.declare(Field::species_wall, count);
         if (*scene.numerics.shifting > 0 || *scene.numerics.transport_velocity) group.declare({Field::species_change});
-        if (*scene.numerics.species_stepping == SpeciesStepping::implicitly)
+        if (is_implicit(scene.numerics.species_stepping))
             group.declare(
                 {Field::species_change, Field::species_residual, Field::species_direction, Field::species_diagonal});
     }

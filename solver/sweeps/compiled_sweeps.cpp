@@ -227,7 +227,7 @@ class Sweeps final : public PairSweeps {
     /// time.
     template <class Then>
     void with_published_viscosity(const Then& then) const {
-        const bool arithmetic = settings_.viscosity.mean == ViscosityMean::arithmetic;
+        const bool arithmetic = has_arithmetic_mean();
         if (!settings_.viscosity.law.is<MorrisViscosity>()) {
             then(AnyViscousTerm(settings_.viscosity.law, scales_, arithmetic));
         } else if (settings_.viscosity.unlike && !arithmetic) {
@@ -237,6 +237,15 @@ class Sweeps final : public PairSweeps {
         }
     }
 
+    [[nodiscard]] bool has_arithmetic_mean() const {
+        switch (settings_.viscosity.mean) {
+            case ViscosityMean::harmonic:
+                return false;
+            case ViscosityMean::arithmetic:
+                return true;
+        }
+        __builtin_unreachable();  // no unlisted_value, as in AnyKernel
+    }
     [[nodiscard]] bool is_newtonian() const { return settings_.viscosity.law.is<NewtonianViscosity>(); }
     [[noreturn]] static void not_for_this_kernel() {
         throw std::logic_error("the corrected scheme is not compiled for this kernel");
@@ -248,7 +257,7 @@ class Sweeps final : public PairSweeps {
     void with_newtonian_mean(const Then& then) const {
         if constexpr (!Corrected) {
             not_for_this_kernel();
-        } else if (settings_.viscosity.unlike && settings_.viscosity.mean == ViscosityMean::harmonic) {
+        } else if (settings_.viscosity.unlike && !has_arithmetic_mean()) {
             then.template operator()<HarmonicMean>();
         } else {
             then.template operator()<ArithmeticMean>();

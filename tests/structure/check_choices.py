@@ -96,6 +96,46 @@ class Forgotten(unittest.TestCase):
         for file in ("solver/sweeps/pair_sweeps.cpp", "solver/run/models_in_use.cpp"):
             self.refused(file, headers, NOT_HANDLED)
 
+    def test_arrangement_of_particles(self):
+        headers = with_value("Arrangement { square, hexagonal, fcc }", '"square", "hexagonal", "fcc"')
+        for file in ("mesher/lattice.cpp", "mesher/space_lattice.cpp"):
+            self.refused(file, headers, NOT_HANDLED)
+
+    def test_fill(self):
+        self.refused("mesher/fit_particles.cpp",
+                     with_value("FillKind { lattice, relaxed, sampled }", '"lattice", "relaxed", "sampled"'), NOT_HANDLED)
+
+    def test_density_and_stepping_of_viscosity(self):
+        for last, name in (("DensityModel { continuity, summation }", '"continuity", "summation"'),
+                           ("ViscosityStepping { explicitly, implicitly }",
+                            'ViscosityStepping> = std::to_array<std::string_view>({"explicit", "implicit"')):
+            self.refused("solver/run/setup.cpp", with_value(last, name), NOT_HANDLED)
+
+    def test_stepping_of_springs(self):
+        self.refused("solver/elastic/spring_bodies.cpp",
+                     with_value("SpringStepping { implicit, subcycled }", '"implicit", "subcycled"'), NOT_HANDLED)
+
+    def test_stepping_of_species(self):
+        self.refused("solver/species/species_transport.cpp",
+                     with_value("SpeciesStepping { explicitly, implicitly }",
+                                'SpeciesStepping> = std::to_array<std::string_view>({"explicit", "implicit"'), NOT_HANDLED)
+
+    def test_what_is_bonded_to(self):
+        self.refused("solver/solidify/solidification.cpp",
+                     with_value("BondTo { seed, neighbours }", '"seed", "neighbours"'), NOT_HANDLED)
+
+    def test_list_of_springs_of_a_body(self):
+        headers = replaced("solver/elastic/body_parts.hpp",
+                           ("    std::vector<Spring<4>> dihedrals;",
+                            "    std::vector<Spring<4>> dihedrals;\n    std::vector<Spring<3>> forgotten;"))
+        for file in ("body_parts", "body_change", "spring_bodies", "spring_network"):
+            self.refused(f"solver/elastic/{file}.cpp", headers, "only 5 names provided")
+
+    def test_list_of_springs_of_a_lattice(self):
+        headers = replaced("mesher/cell_lattice.hpp", ("    std::vector<Dihedral> dihedrals;",
+                                                       "    std::vector<Dihedral> dihedrals, forgotten;"))
+        self.refused("mesher/spring_bodies.cpp", headers, "only 5 names provided")
+
     def test_equation_of_state_without_an_inverse(self):
         headers = with_law("models/sph/fluid_law_list.hpp", "Registry<TaitEquation, ", "models/sph/liquid_state.hpp",
                            "/// Equation of state of a fluid part", NO_INVERSE)
@@ -117,6 +157,9 @@ class Forgotten(unittest.TestCase):
 
     def test_subject_of_a_measure(self):
         self.refused("scene/measure_keys.cpp", self.measure(), NOT_HANDLED)
+
+    def test_columns_of_a_measure(self):
+        self.refused("study/measure_columns.cpp", self.measure("flow"), NOT_HANDLED)
 
     def test_measure_without_a_row(self):
         for subject, file in (("flow", "solver/output/measures.cpp"), ("species", "solver/output/species_measures.cpp"),

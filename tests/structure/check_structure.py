@@ -4,8 +4,9 @@
 
 Includes: a module includes only the modules that it may, the folders of solver/, models/ and cli/ and the files beside
 them include each other in one direction, and gmsh, CGAL, VTK, MPI, Zoltan and HDF5 are included in the one place that may.
-Choices: a switch over an enumeration lists its values. Keys: each key of a scene is read by the program. Words: names, keys, texts and docs do without the words that
-CONTRIBUTING.md has replaced. Files: none is longer than 450 lines, and nothing binary lies at the root.
+Choices: a switch over an enumeration lists its values, and each choice of a scene has such a switch. Keys: each key of a
+scene is read by the program. Particles: all that a set has is hashed, stored and handed to other ranks. Words: names, keys,
+texts and docs do without the words that CONTRIBUTING.md has replaced. Files: none is longer than 450 lines, and nothing binary lies at the root.
 """
 import pathlib
 import re
@@ -37,6 +38,13 @@ LIBRARIES = {  # header pattern: the only folders that may include it
 DEFAULT_ALLOWED_IN = {  # switches with a `default:`, which a new value of an enumeration would fall into in silence
     "geometry/surface_intersections.cpp",  # over a number
 }
+WITHOUT_SWITCH = {"BoxSide", "Axis", "Form"}  # numbers with names; a paper's equations as printed and corrected
+PARTICLES_NOT_IN = {  # file: members of a particle set that it need not name
+    "particles/fingerprint.cpp": {"mass", "velocity", "angular_velocity"},  # they follow from the scene (its header)
+    "particles/particle_file.cpp": set(),
+    "solver/store/share_particles.cpp": set(),
+}
+SPRINGS_IN = ["solver/elastic/body_parts.cpp", "cli/particle_input.cpp"]  # files that need only its springs
 KEYS_ONLY_CHECKED = {"schema"}  # its value is a version, and nothing depends on it once it is known to be 1
 # Word boundaries are those of identifiers and of English.
 OLD_WORDS = [
@@ -166,6 +174,63 @@ class Choices(unittest.TestCase):
         ]
         self.assertEqual(sorted(set(found) - DEFAULT_ALLOWED_IN), [], "list the values instead (-Wswitch)")
         self.assertEqual(sorted(DEFAULT_ALLOWED_IN - set(found)), [], "no longer has one")
+
+    def test_each_choice_has_a_switch(self):
+        choices, cases = set(), set()
+        for path, name in sources(".hpp", ".cpp"):
+            if name.split("/")[0] not in MODULES:
+                continue
+            if name == "scene/choices.hpp" or name.startswith("models/"):
+                choices |= set(re.findall(r"enum class (\w+)", path.read_text()))
+            cases |= switched(path.read_text())
+        self.assertGreater(len(choices), 20)
+        self.assertEqual(sorted(choices - cases - WITHOUT_SWITCH), [], "a new value would be taken for one of the old")
+
+    def test_a_choice_without_a_switch_is_found(self):
+        self.assertEqual(switched("  case scene::Side::low:\n  case Kind::a: if (x == Fill::b)"), {"Side", "Kind"})
+
+
+def switched(text):
+    """The enumerations whose values are cases of a switch."""
+    return set(re.findall(r"\bcase (?:\w+::)*(\w+)::\w+:", text))
+
+
+def members_of(struct, text):
+    """(type, name) of the data members of a struct without nested braces in their initial values."""
+    body = re.search(rf"^struct {struct}\b.*?^}};", text, flags=re.M | re.S)[0]
+    body = re.sub(r"^    struct .*?^    };", "", body, flags=re.M | re.S)
+    return re.findall(r"^    (\w[\w:<>, ]*?) (\w+)(?:\{\}| = [^;(]+)?;", body, flags=re.M)
+
+
+def not_named(members, text):
+    return sorted(set(members) - set(re.findall(r"(?:\.|->)(\w+)", text)))
+
+
+class Particles(unittest.TestCase):
+    def members(self):
+        text = (ROOT / "particles/particle_set.hpp").read_text()
+        return members_of("ParticleSpace", text) + members_of("ParticleSet", text)
+
+    def test_all_of_a_set_is_hashed_stored_and_shared(self):
+        members = [name for _, name in self.members()]
+        self.assertGreater(len(members), 20)
+        for file, not_there in PARTICLES_NOT_IN.items():
+            missing = not_named(set(members) - not_there, (ROOT / file).read_text())
+            self.assertEqual(missing, [], f"{file} does not name these members of a particle set")
+
+    def test_all_springs_are_taken(self):
+        text = (ROOT / "particles/particle_set.hpp").read_text()
+        kinds = [kind for kind in re.findall(r"^struct (\w+)", text, flags=re.M)
+                 if ("double", "stiffness") in members_of(kind, text)]
+        springs = [name for of, name in self.members() if of in [f"std::vector<{kind}>" for kind in kinds]]
+        self.assertGreaterEqual(len(springs), 3)
+        for file in SPRINGS_IN:
+            self.assertEqual(not_named(springs, (ROOT / file).read_text()), [], file)
+
+    def test_a_forgotten_member_is_found(self):
+        text = "struct Set : Space {\n    int size = 0;  ///< [m]\n    std::vector<Bond> bonds;\n    bool none() const;\n};\n"
+        self.assertEqual(members_of("Set", text), [("int", "size"), ("std::vector<Bond>", "bonds")])
+        self.assertEqual(not_named(["size", "bonds"], "hash.add(set.size)"), ["bonds"])
 
 
 def rows_of_keys(text):
