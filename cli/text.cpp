@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.hpp"
+
 namespace dmp::cli {
 
 std::string count_text(std::size_t count) {
@@ -43,10 +45,7 @@ std::string bytes_text(double bytes) {
 
 std::string quantity_text(double value, std::string_view unit) { return fmt::format("{:.4g} {}", value, unit); }
 
-std::string part_text(double part) {
-    if (std::isnan(part)) return "-";
-    return part < 0.995 ? fmt::format("{:.2g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
-}
+std::string part_text(double part) { return std::isnan(part) ? "-" : percentage_text(part); }
 
 std::string percent_text(double fraction) { return fmt::format("{:+.2g} %", fraction * 100); }
 

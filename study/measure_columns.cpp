@@ -54,4 +54,12 @@ bool is_column_of(const Scene& scene, const std::string& measure, const std::str
            });
 }
 
+bool counts_particles(const Scene& scene, const std::string& column) {
+    return std::ranges::any_of(scene.measures, [&](const Measure& measure) {
+        if (*measure.kind != MeasureKind::aggregate || !is_column_of(scene, *measure.name, column)) return false;
+        const std::string ending = column.substr(measure.name->size());
+        return ending != "_mass" && ending != "_pieces";
+    });
+}
+
 }  // namespace dmp::study

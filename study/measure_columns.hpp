@@ -23,4 +23,7 @@ struct MeasureColumns {
 /// longer.
 [[nodiscard]] bool is_column_of(const Scene& scene, const std::string& measure, const std::string& column);
 
+/// Whether a column of measures.csv counts particles or bonds, of which a smaller spacing has more.
+[[nodiscard]] bool counts_particles(const Scene& scene, const std::string& column);
+
 }  // namespace dmp::study

@@ -12,6 +12,7 @@
 #include "cli/scene_name.hpp"
 #include "cli/sweep/sweep_folder.hpp"
 #include "postproc/tables.hpp"
+#include "study/exact_values.hpp"
 #include "study/front.hpp"
 #include "study/measure_columns.hpp"
 
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Columns that all tables have, in the order of the first one.
+/// Columns that all tables have, in the order of the first one, without those that count particles.
 std::vector<std::string> common_columns(const std::vector<MeasureSeries>& tables, const Scene& scene,
                                         const std::vector<std::string>& measures) {
     std::vector<std::string> columns;
@@ -31,19 +32,25 @@ std::vector<std::string> common_columns(const std::vector<MeasureSeries>& tables
         const auto has_it = [&](const MeasureSeries& table) {
             return std::ranges::find(table.names, name) != table.names.end();
         };
-        if (asked && std::ranges::all_of(tables, has_it)) columns.push_back(name);
+        if (asked && std::ranges::all_of(tables, has_it) && !study::counts_particles(scene, name))
+            columns.push_back(name);
     }
     return columns;
 }
 
-/// velocity_x, velocity_y and velocity_z are of one vector, all others of their own.
-std::vector<study::TradeColumn> trade_columns(const std::vector<std::string>& columns) {
+/// velocity_x, velocity_y and velocity_z are of one vector, all others of their own. What the scene says that they
+/// should be is taken at the times of the finest run.
+std::vector<study::TradeColumn> trade_columns(const std::vector<std::string>& columns, const Scene& scene,
+                                              const std::vector<double>& times) {
     std::map<std::string, std::size_t> numbers;
     std::vector<study::TradeColumn> all;
     for (const std::string& name : columns) {
         const bool is_component = name.ends_with("_x") || name.ends_with("_y") || name.ends_with("_z");
         const std::string vector = is_component ? name.substr(0, name.size() - 1) : name;
-        all.push_back({numbers.emplace(vector, numbers.size()).first->second, {}});
+        study::TradeColumn& column = all.emplace_back();
+        column.vector = numbers.emplace(vector, numbers.size()).first->second;
+        if (const Reference* reference = study::reference_of(scene, name))
+            column.exact = study::exact_series(scene, *reference, times);
     }
     return all;
 }
@@ -121,7 +128,8 @@ TradeOutcome trade_outcome(const fs::path& folder, const Scene& scene, const stu
             tables.front().units[static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())]);
         for (std::size_t r = 0; r < tables.size(); ++r) outcome.runs[r].measures.push_back(column(tables[r], name));
     }
-    outcome.errors = study::trade_errors(outcome.settings, outcome.runs, trade_columns(outcome.columns));
+    outcome.errors =
+        study::trade_errors(outcome.settings, outcome.runs, trade_columns(outcome.columns, scene, tables.back().time));
     return outcome;
 }
 

@@ -13,6 +13,7 @@
 #include "scene/quantity.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/toml_node.hpp"
+#include "study/exact_values.hpp"
 
 namespace dmp::cli {
 
@@ -75,6 +76,8 @@ TradeRequest trade_request(const TradeCommand& command) {
             fmt::format("run.duration=\"{} s\"", exact_text(time_of(command.until, "--until"))));
     trade.read = read_scene(command.scene, trade.scene.overrides);
     check_measures(trade.read, command.measures);
+    // A file of one that cannot be read is told before any run.
+    for (const Reference& reference : trade.read.references) study::ExactValues(trade.read, reference);
     need_two_rows(trade.read, command.until);
     trade.comparison.measures = command.measures;
     if (!command.reference.empty()) trade.comparison.reference = given_reference(command.reference, trade.read);

@@ -22,6 +22,7 @@ std::string setting_text(const study::TradeSetting& setting) {
 std::string settings_table(const TradeOutcome& outcome) {
     std::vector<std::vector<std::string>> rows{{"spacing", "level", "processor time", "error", "of", ""}};
     const std::vector<std::size_t> front = outcome.front();
+    const bool is_exact = std::ranges::all_of(outcome.errors.columns, &study::ColumnTrust::is_exact);
     for (std::size_t index = 0; index < outcome.settings.settings.size(); ++index) {
         const study::TradeSetting& setting = outcome.settings.settings[index];
         std::vector<std::string> row{
@@ -37,7 +38,7 @@ std::string settings_table(const TradeOutcome& outcome) {
             row[3] = part_text(error.error);
             row[4] = outcome.columns[error.column] + (std::isnan(error.error) ? " is not known" : "");
             row[5] = setting.role == study::TradeRole::reference  ? "the reference, given"
-                     : r == outcome.errors.reference              ? "the reference"
+                     : r == outcome.errors.reference && !is_exact ? "the reference"
                      : setting.role == study::TradeRole::repeat   ? "repeat, for the scatter"
                      : std::ranges::find(front, r) != front.end() ? "*"
                                                                   : "";

@@ -79,7 +79,7 @@ class Warnings {
         if (fluid_ && *numerics.support < 2.9)
             add("numerics.support", numerics.support.location,
                 "is below 2.9 spacings: particles hold on to their lattice, flows are slowed, and more particles do "
-                "not cure it (docs/accuracy.md)",
+                "not cure it (docs/plain_scheme.md)",
                 "take 3 or more");
         if (fluid_) return about_shifting();
         const std::string reason = "no part is a fluid";
@@ -90,7 +90,7 @@ class Warnings {
         has_no_effect("numerics.walls", numerics.walls, reason);
     }
 
-    /// Of the plain scheme; measured in docs/accuracy.md, "Shifting and the speed of sound". Implicit viscosity damps
+    /// Of the plain scheme; measured in docs/plain_scheme.md, "Shifting and the speed of sound". Implicit viscosity damps
     /// what it stirs up.
     void about_shifting() {
         constexpr double times_too_fast = 50;
@@ -101,7 +101,7 @@ class Warnings {
         if (*numerics.sound_speed < 0.999 * times_too_fast * *scene_.flow.largest_speed) return;
         add("numerics.sound_speed", numerics.sound_speed.location,
             "is 50 times flow.largest_speed or more: shifting then stirs the fluid and slows the flow "
-            "(docs/accuracy.md)",
+            "(docs/plain_scheme.md)",
             "lower it to 25 times or less, or set numerics.shifting = 0");
     }
 

@@ -11,7 +11,9 @@
 
 #include <gmock/gmock.h>
 
+#include "scene/read_scene.hpp"
 #include "study/front.hpp"
+#include "study/measure_columns.hpp"
 #include "study/points.hpp"
 #include "study/read_study.hpp"
 #include "study/series_error.hpp"
@@ -96,6 +98,16 @@ TradeSettings settings_of(const std::string& scene, const std::vector<std::strin
     const Folder folder;
     Folder::write(scene);
     return study::trade_settings({"scene.toml", overrides});
+}
+
+TEST(MeasureColumns, OfAggregatesCountParticlesAndBonds) {
+    const Folder folder;
+    Folder::write(good_scene + "[[measure]]\nname = \"clot\"\nkind = \"aggregate\"\npart = \"leaflets\"\n");
+    const Scene scene = read_scene("scene.toml");
+    for (const char* column : {"clot_particles", "clot_largest", "clot_bonds_made", "clot_bonds_broken"})
+        EXPECT_TRUE(study::counts_particles(scene, column)) << column;
+    for (const char* column : {"clot_mass", "clot_pieces", "flux_in", "tip_gap"})
+        EXPECT_FALSE(study::counts_particles(scene, column)) << column;
 }
 
 TEST(TradeSettings, AreFourSpacingsWithEachLevelAndTwoRepeatsCheapestFirst) {
