@@ -35,14 +35,12 @@ const char* colour_of(std::size_t level) {
 
 /// A shape of its own for each of three levels.
 std::string outline_of(std::size_t level, PicturePoint at) {
-    switch (level % 3) {
-        case 0:
-            return fmt::format("<path d=\"M{:.1f} {:.1f}l6 10.4h-12z\"", at.x, at.y - 6.6);
-        case 1:
-            return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"", at.x, at.y, mark_radius);
-        default:
-            return fmt::format("<path d=\"M{:.1f} {:.1f}h9v9h-9z\"", at.x - 4.5, at.y - 4.5);
-    }
+    const std::array outlines{
+        fmt::format("<path d=\"M{:.1f} {:.1f}l6 10.4h-12z\"", at.x, at.y - 6.6),
+        fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"", at.x, at.y, mark_radius),
+        fmt::format("<path d=\"M{:.1f} {:.1f}h9v9h-9z\"", at.x - 4.5, at.y - 4.5),
+    };
+    return outlines[level % outlines.size()];
 }
 
 std::string mark(std::size_t level, PicturePoint at, bool is_filled) {

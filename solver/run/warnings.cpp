@@ -90,8 +90,8 @@ class Warnings {
         has_no_effect("numerics.walls", numerics.walls, reason);
     }
 
-    /// Of the plain scheme; measured in docs/plain_scheme.md, "Shifting and the speed of sound". Implicit viscosity damps
-    /// what it stirs up.
+    /// Of the plain scheme; measured in docs/plain_scheme.md, "Shifting and the speed of sound". Implicit viscosity
+    /// damps what it stirs up.
     void about_shifting() {
         constexpr double times_too_fast = 50;
         const auto& numerics = scene_.numerics;
