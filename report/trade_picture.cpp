@@ -250,21 +250,34 @@ class Plot {
     std::vector<Point> points_;
 };
 
+/// What the marks mean, in a line, or in two where long names of levels take more than the picture's width.
 std::string legend(const TradeFacts& trade, const Plot& plot) {
-    double x = left;
-    const double y = top - 24;
+    constexpr double gap = 20, line_symbol = 28, mark_symbol = 17, ring_symbol = 25;
+    const std::string of_front = "no other is cheaper and as good", of_reference = "reference";
+    double levels_width = 0;
+    for (std::size_t level = 0; level < trade.levels.size(); ++level)
+        if (plot.has_level(level)) levels_width += mark_symbol + width_of(trade.levels[level], text_size) + gap;
+    double others_width = plot.is_empty() ? 0 : line_symbol + width_of(of_front, text_size);
+    if (plot.has_reference()) others_width += gap + ring_symbol + width_of(of_reference, text_size);
+    const bool has_two_lines = left + levels_width + others_width > width;
+
+    double x = left, y = has_two_lines ? top - 36 : top - 24;
     std::string all;
     const auto add = [&](const std::string& symbol, double symbol_width, const std::string& words) {
         all += symbol + text({x + symbol_width, y + 4.5}, words, Align::start);
-        x += symbol_width + width_of(words, text_size) + 20;
+        x += symbol_width + width_of(words, text_size) + gap;
     };
     for (std::size_t level = 0; level < trade.levels.size(); ++level)
-        if (plot.has_level(level)) add(mark(level, {x + 6, y}, true), 17, trade.levels[level]);
+        if (plot.has_level(level)) add(mark(level, {x + 6, y}, true), mark_symbol, trade.levels[level]);
     if (plot.is_empty()) return all;
+    if (has_two_lines) {
+        x = left;
+        y = top - 16;
+    }
     add(line({x, y}, {x + 22, y}, frame, " stroke-width=\"1.6\"") +
             fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>", x + 11, y, soft),
-        28, "no other is cheaper and as good");
-    if (plot.has_reference()) add(ring({x + 9, y}), 25, "reference");
+        line_symbol, of_front);
+    if (plot.has_reference()) add(ring({x + 9, y}), ring_symbol, of_reference);
     return all;
 }
 

@@ -167,6 +167,7 @@ class Rows {
         } else {
             for (const LevelOfScene& level : levels_) add(1, level, 1);
         }
+        result_.own_level = levels_[own_level_].level;
         std::ranges::stable_sort(result_.settings, {}, &TradeSetting::cost);
         return std::move(result_);
     }

@@ -39,6 +39,7 @@ struct TradeSetting {
 struct TradeSettings {
     std::vector<std::string> keys;       ///< that differ, as --set names them
     std::vector<TradeSetting> settings;  ///< cheapest first
+    TradeLevel own_level;                ///< of the scene
 
     /// Whether they set the key of "key=value".
     [[nodiscard]] bool sets(const std::string& assignment) const;

@@ -51,10 +51,13 @@ struct KnownSettings {
     std::vector<study::CostAndError> costs;
 };
 
+/// Of those that no other beats, which leaves out what may not be taken.
 KnownSettings settings_in(const JsonValue& trade) {
     KnownSettings known;
+    const std::vector<JsonValue> front = trade["front"].elements();
     for (const JsonValue& setting : trade["settings"].elements()) {
-        if (setting["is_repeat"].truth() || setting["is_reference_given"].truth()) continue;
+        const std::string run = setting["run"].text();
+        if (std::ranges::none_of(front, [&](const JsonValue& each) { return each.text() == run; })) continue;
         known.settings.push_back(setting);
         known.costs.push_back({setting["processor_s"].number(), setting["error"].number()});
     }
@@ -107,9 +110,14 @@ KnownSetting known_setting(const SceneChoice& scene, const std::string& toleranc
                            const std::string& program) {
     const double largest = tolerance_of(tolerance);
     fs::path file;
-    const JsonValue::Json json =
-        fitting_trade(trades_of_scene(read_scene(scene.path, scene.overrides), folder), scene, program, file);
+    const Scene read = read_scene(scene.path, scene.overrides);
+    const JsonValue::Json json = fitting_trade(trades_of_scene(read, folder), scene, program, file);
     const JsonValue trade(&json, file);
+    if (*read.run.duration > trade["duration_s"].number() * (1 + 1e-9))
+        throw InputError({file.string(), 0, 0},
+                         fmt::format("it is of runs to {}, but the scene goes on to {}",
+                                     duration_text(trade["duration_s"].number()), duration_text(*read.run.duration)),
+                         how_to_make_one(scene, program));
     const KnownSettings all = settings_in(trade);
     const auto index = study::cheapest_within(all.costs, largest);
     if (!index)
@@ -123,9 +131,10 @@ KnownSetting known_setting(const SceneChoice& scene, const std::string& toleranc
         known.scene.overrides.push_back(each.text());
         known.text += " " + each.text();
     }
-    const double part = trade["duration_s"].number() / trade["simulated_s"].number();
-    known.text += fmt::format(" (error {}, about {} of one processor)\n", part_text(found["error"].number()),
-                              duration_text(found["processor_s"].number() * part)) +
+    const double until = trade["simulated_s"].number(), duration = trade["duration_s"].number();
+    known.text += fmt::format(" (error {}{}, about {} of one processor)\n", part_text(found["error"].number()),
+                              compared_time_text(until, duration),
+                              duration_text(found["processor_s"].number() * duration / until)) +
                   version_text(trade);
     return known;
 }

@@ -77,11 +77,16 @@ void need_columns(const std::vector<std::string>& columns, const Scene& scene, c
 
 fs::path default_trade_folder(const Scene& scene) { return output_folder("", scene_name(scene) + "_trade"); }
 
+bool TradeOutcome::may_be_advised(const study::TradeSetting& setting) const {
+    const bool is_shortened = until < duration * (1 - 1e-9);
+    return setting.role == study::TradeRole::candidate &&
+           (!is_shortened || setting.level.rank >= settings.own_level.rank);
+}
+
 std::vector<std::size_t> TradeOutcome::front() const {
     std::vector<study::CostAndError> tried;
     for (std::size_t r = 0; r < runs.size(); ++r)
-        tried.push_back({runs[r].cost, setting(runs[r]).role == study::TradeRole::candidate ? errors.runs[r].error
-                                                                                            : study::no_number});
+        tried.push_back({runs[r].cost, may_be_advised(setting(runs[r])) ? errors.runs[r].error : study::no_number});
     return study::front_of(tried);
 }
 

@@ -42,6 +42,9 @@ struct TradeOutcome {
     std::vector<study::TradeRun> runs;  ///< that have ended
     study::TradeErrors errors;          ///< where two of them or more are no repeats
 
+    /// Whether a setting may be advised: it is a candidate, and no lower level than the scene's own where the runs do
+    /// not go on to the scene's end, as what it does later has not been seen.
+    [[nodiscard]] bool may_be_advised(const study::TradeSetting& setting) const;
     /// Enough to compare.
     [[nodiscard]] bool is_known() const { return !errors.runs.empty(); }
     [[nodiscard]] const study::TradeSetting& setting(const study::TradeRun& run) const {
@@ -60,6 +63,9 @@ struct TradeOutcome {
 /// For people: the table of settings, what is known of the measures, and for each tolerance the cheapest setting.
 [[nodiscard]] std::string trade_text(const TradeOutcome& outcome, const std::vector<double>& tolerances,
                                      const std::string& program);
+
+/// Where the runs of a trade do not go on to the end of the scene: " up to 1.2 s of 4 s".
+[[nodiscard]] std::string compared_time_text(double until, double duration);
 
 /// trade.json and trade.svg.
 void write_trade(const std::filesystem::path& folder, const TradeOutcome& outcome);

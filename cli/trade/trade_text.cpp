@@ -45,7 +45,14 @@ std::string settings_table(const TradeOutcome& outcome) {
         }
         rows.push_back(std::move(row));
     }
-    return table_text(rows) + "  *: no other setting is cheaper and as good\n";
+    const bool has_lower_levels = std::ranges::any_of(outcome.settings.settings, [&](const auto& each) {
+        return each.role == study::TradeRole::candidate && !outcome.may_be_advised(each);
+    });
+    return table_text(rows) + "  *: no other setting is cheaper and as good\n" +
+           (has_lower_levels
+                ? fmt::format("  Lower levels than {} are not advised by runs that do not go on to the end.\n",
+                              outcome.settings.own_level.text)
+                : "");
 }
 
 std::string measures_table(const TradeOutcome& outcome) {
@@ -67,7 +74,7 @@ std::string best_text(const TradeOutcome& outcome) {
     const study::RunError* best = nullptr;
     for (std::size_t r = 0; r < outcome.runs.size(); ++r) {
         const study::RunError& each = outcome.errors.runs[r];
-        if (outcome.setting(outcome.runs[r]).role != study::TradeRole::candidate || std::isnan(each.error)) continue;
+        if (!outcome.may_be_advised(outcome.setting(outcome.runs[r])) || std::isnan(each.error)) continue;
         if (best == nullptr || each.error < best->error) best = &each;
     }
     if (best == nullptr) return "not reachable: no error is known";
@@ -85,14 +92,19 @@ std::string advice(const TradeOutcome& outcome, double tolerance, const std::str
         for (const std::string& each : outcome.common) line += " --set " + shell_word(each);
         for (const std::string& each : outcome.settings.overrides(outcome.setting(run)))
             line += " --set " + shell_word(each);
-        return fmt::format("{}, error {}, about {} of one processor\n  {}\n", setting_text(outcome.setting(run)),
-                           part_text(outcome.errors.runs[r].error),
+        return fmt::format("{}, error {}{}, about {} of one processor\n  {}\n", setting_text(outcome.setting(run)),
+                           part_text(outcome.errors.runs[r].error), compared_time_text(outcome.until, outcome.duration),
                            duration_text(run.cost * outcome.duration / outcome.until), line);
     }
     return best_text(outcome) + "\n";
 }
 
 }  // namespace
+
+std::string compared_time_text(double until, double duration) {
+    if (!(until < duration * (1 - 1e-9))) return "";
+    return fmt::format(" up to {} of {}", duration_text(until), duration_text(duration));
+}
 
 std::string trade_text(const TradeOutcome& outcome, const std::vector<double>& tolerances, const std::string& program) {
     const Style style(Stream::output);

@@ -24,6 +24,7 @@ class Trades : public SmallValve {
     Trades() {
         folder_.replace("scene.toml", "spacing = \"0.2 mm\"", "spacing = \"0.4 mm\"");
         folder_.replace("scene.toml", "every = \"40 ms\"", "every = \"10 ms\"");
+        fs::remove(folder_.path() / "trade.json");  // of the case as it is
         // At half its speed of sound, the Mach number would be too large.
         folder_.replace("scene.toml", "largest_speed = \"0.1 m/s\"", "largest_speed = \"0.4 m/s\"");
     }
@@ -135,7 +136,8 @@ TEST_F(Trades, GiveARunTheSettingForItsTolerance) {
     const double coarsest = found["settings"][0]["error"];
     const Outcome ended = run({"--tolerance", std::to_string(100 * coarsest + 0.01) + " %"});
     EXPECT_EQ(ended.code, 0) << ended.errors;
-    EXPECT_THAT(ended.output, HasSubstr("particles.spacing=\"0.8 mm\" numerics.sound_speed=\"3 m/s\" (error "));
+    EXPECT_THAT(ended.output, AllOf(HasSubstr("particles.spacing=\"0.8 mm\" numerics.sound_speed=\"3 m/s\" (error "),
+                                    HasSubstr(" up to 60 ms of 4 s, about ")));
     EXPECT_EQ(summary("run")["particles"],
               summary("out/" + name + "_trade/runs/" + std::string(found["settings"][0]["run"]))["particles"]);
     EXPECT_THAT(run({"--overwrite", "--tolerance", "1e-9"}).errors, HasSubstr("no setting has an error of at most"));
@@ -150,6 +152,28 @@ TEST_F(Trades, GiveARunTheSettingForItsTolerance) {
     EXPECT_THAT(run({"--overwrite", "--tolerance", "5 %"}).errors, HasSubstr("it is of another scene"));
     folder_.write("out/" + name + "_trade/trade.json", "{");
     EXPECT_EQ(run({"--overwrite", "--tolerance", "5 %"}).code, 2);
+}
+
+TEST_F(Trades, AdviseLowerSpeedsOfSoundOnlyForTimesThatTheyHaveSeen) {
+    folder_.replace("scene.toml", "largest_speed = \"0.4 m/s\"", "largest_speed = \"0.2 m/s\"");
+    const auto lowest_is_on_front = [&](const std::string& out) {
+        const nlohmann::json found = result(out);
+        EXPECT_THAT(found["settings"], SizeIs(10));
+        EXPECT_EQ(found["levels"], nlohmann::json::array({"sound speed 1.5 m/s", "sound speed 3 m/s"}));
+        EXPECT_EQ(found["settings"][0]["level"], "sound speed 1.5 m/s");
+        return std::ranges::find(found["front"], found["settings"][0]["run"]) != found["front"].end();
+    };
+    const Outcome shortened = trade({"--out", "out", "--measures", "inlet_flux"});
+    EXPECT_EQ(shortened.code, 0) << shortened.errors;
+    EXPECT_THAT(shortened.output, HasSubstr("Lower levels than sound speed 3 m/s are not advised"));
+    EXPECT_FALSE(lowest_is_on_front("out"));
+    const Outcome whole = run_dmp(folder_.path(), {"trade", "scene.toml", "--set", "run.duration=\"60 ms\"", "--out",
+                                                   "whole", "--measures", "inlet_flux"});
+    EXPECT_EQ(whole.code, 0) << whole.errors;
+    EXPECT_TRUE(lowest_is_on_front("whole"));
+    const Outcome run = run_dmp(folder_.path(), {"run", "scene.toml", "--tolerance", "99 %", "--trade", "whole"});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.errors, HasSubstr("it is of runs to 60 ms, but the scene goes on to 4 s"));
 }
 
 TEST_F(Trades, TakeASpacingThatIsSetAndFoldersAnywhere) {

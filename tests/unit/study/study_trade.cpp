@@ -10,7 +10,9 @@
 #include <vector>
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
+#include "base/safe_file.hpp"
 #include "scene/read_scene.hpp"
 #include "study/front.hpp"
 #include "study/measure_columns.hpp"
@@ -171,6 +173,18 @@ TEST(TradeIdentity, IsOfWhatTheSettingsDoNotSet) {
     EXPECT_NE(of_sound, own) << "their levels are others";
     EXPECT_NE(with({"numerics.step_factor=0.3"}), own);
     EXPECT_NE(with({"part.wall.layers=5"}), own);
+}
+
+TEST(TradeIdentity, OfShippedTradesIsThatOfTheirScenes) {
+    std::size_t found = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(DMP_SOURCE_DIR "/cases")) {
+        if (entry.path().filename() != "trade.json") continue;
+        const auto trade = nlohmann::json::parse(read_file(entry.path()));
+        EXPECT_EQ(trade["identity"], study::trade_identity({entry.path().parent_path().string(), {}}))
+            << entry.path() << ": make it anew, as the case's README says";
+        ++found;
+    }
+    EXPECT_GT(found, 0U);
 }
 
 TEST(TradeSettings, MakeAStudyOfTheirRunsInTheirOrder) {
