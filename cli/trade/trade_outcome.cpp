@@ -12,6 +12,7 @@
 #include "cli/scene_name.hpp"
 #include "cli/sweep/sweep_folder.hpp"
 #include "postproc/tables.hpp"
+#include "report/trade_facts.hpp"
 #include "study/exact_values.hpp"
 #include "study/front.hpp"
 #include "study/measure_columns.hpp"
@@ -73,6 +74,19 @@ void need_columns(const std::vector<std::string>& columns, const Scene& scene, c
                          "Name measures with --measures that all runs have.");
 }
 
+/// What trade.json says of runs that have failed: those that a small budget has not begun again. By the run's name.
+std::map<std::string, std::string> failures_told(const fs::path& folder) {
+    std::map<std::string, std::string> failures;
+    if (!fs::is_regular_file(folder / report::trade_file_name)) return failures;
+    try {
+        for (const auto& setting : report::read_trade_facts(folder / report::trade_file_name).settings)
+            failures[setting.run] = setting.failure;
+    } catch (const Error&) {
+        failures.clear();  // it is damaged, and written anew
+    }
+    return failures;
+}
+
 }  // namespace
 
 fs::path default_trade_folder(const Scene& scene) { return output_folder("", scene_name(scene) + "_trade"); }
@@ -95,13 +109,14 @@ TradeOutcome trade_outcome(const fs::path& folder, const Scene& scene, const stu
     TradeOutcome outcome;
     outcome.settings = settings;
     const auto failures = earlier_failures(folder / sweep_results_name);
+    auto told = failures_told(folder);
     const auto times = run_times(folder / sweep_timing_name);
     std::vector<MeasureSeries> tables;
     std::size_t comparable = 0;
     for (std::size_t index = 0; index < points.size(); ++index) {
         const std::string& name = outcome.names.emplace_back(points.at(index).name);
         const auto failure = failures.find(name);
-        outcome.failures.push_back(failure == failures.end() ? "" : failure->second.error);
+        outcome.failures.push_back(failure == failures.end() ? told[name] : failure->second.error);
         const FolderContents contents = contents_of(run_folder(folder, name));
         outcome.begun.push_back(contents.kind == FolderContents::Kind::unfinished && contents.has_checkpoint);
         if (contents.kind != FolderContents::Kind::finished) continue;

@@ -119,6 +119,8 @@ TEST_F(Trades, HaveARowForWhatIsRefused) {
     const nlohmann::json coarsest = result("out")["settings"][0];
     EXPECT_THAT(std::string(coarsest["failure"]), HasSubstr("stand on top of each other"));
     EXPECT_FALSE(coarsest.contains("error"));
+    EXPECT_EQ(trade({"--out", "out", "--resume", "--budget", "1 ms"}).code, 0);
+    EXPECT_EQ(result("out")["settings"][0]["failure"], coarsest["failure"]) << "not begun again";
 }
 
 TEST_F(Trades, GiveARunTheSettingForItsTolerance) {
