@@ -19,8 +19,8 @@
 #include "report/html.hpp"
 #include "report/study_files.hpp"
 #include "report/write_report.hpp"
-#include "study/read_plot.hpp"
 #include "study/csv_table.hpp"
+#include "study/read_plot.hpp"
 #include "study/values_taken.hpp"
 
 namespace dmp::cli {

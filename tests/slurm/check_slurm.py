@@ -7,6 +7,7 @@
 Ends with 77 where Slurm is not installed (Debian: slurm-wlm, munge), which ctest takes as skipped."""
 import contextlib
 import csv
+import json
 import os
 import pathlib
 import shutil
@@ -320,6 +321,21 @@ class Jobs(unittest.TestCase):
         code, said = self.sweep("--slurm", "--out", "other", "--job-template", "form.sh")
         self.assertEqual(code, 2)
         self.assertIn("form.sh: the job script has @commands@", said)
+
+    def test_a_trade_in_jobs_finds_what_one_on_this_machine_finds(self):
+        found = {}
+        for out, words in (("jobs", ["--slurm", "--time", "10 min"]), ("local", [])):
+            code, said = Sweep(self.dmp, "trade", "scene.toml", "--out", out, "--measures", "inlet_flux", "--set",
+                               'particles.spacing="0.4 mm"', "--set", 'flow.largest_speed="0.4 m/s"', *words,
+                               folder=self.folder, environment=self.environment).end()
+            self.assertEqual(code, 0, said)
+            self.assertEqual("in jobs of Slurm" in said, out == "jobs")
+            found[out] = json.loads((self.folder / out / "trade.json").read_text())
+            found[out].pop("front")  # by what they cost
+            for setting in found[out]["settings"]:
+                self.assertGreater(setting.pop("processor_s"), 0)
+        self.assertEqual(len(found["jobs"]["settings"]), 6)
+        self.assertEqual(found["jobs"], found["local"])
 
     def test_the_dry_run_shows_the_script(self):
         code, said = self.sweep("--slurm", "--out", "out", "--dry-run", "--account", "veins")
