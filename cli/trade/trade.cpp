@@ -62,7 +62,7 @@ std::string left_text(const TradeRequest& trade, const SweepCounts& counts, cons
     const auto time = budget.expected(left);
     return fmt::format("\n{} not done within {}{}. With a larger --budget, go on:\n  {}\n",
                        count_text(counts.left(), "run"), duration_text(*trade.budget),
-                       time ? "; they would take about " + duration_text(*time) + " of one processor" : "",
+                       time && *time > 0 ? "; they would take about " + duration_text(*time) + " of one processor" : "",
                        typed.with("--resume"));
 }
 
