@@ -17,7 +17,7 @@ inline std::string number_text(double value, int digits = 6) {
 
 /// A fraction in per cent, with two digits or all before the point: "0.43 %", "120 %".
 inline std::string percentage_text(double fraction) {
-    return (fraction < 1 ? number_text(100 * fraction, 2) : number_text(std::round(100 * fraction))) + " %";
+    return (fraction < 0.995 ? number_text(100 * fraction, 2) : number_text(std::round(100 * fraction))) + " %";
 }
 
 }  // namespace dmp

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
+#include "base/number_text.hpp"
 #include "report/json_value.hpp"
 
 namespace dmp::report {
@@ -71,12 +72,8 @@ std::optional<std::size_t> TradeFacts::cheapest_within(double error) const {
 }
 
 std::optional<std::size_t> TradeFacts::best() const {
-    std::optional<std::size_t> best;
-    for (std::size_t index = 0; index < settings.size(); ++index)
-        if (settings[index].is_candidate() && !std::isnan(settings[index].error) &&
-            (!best || settings[index].error < settings[*best].error))
-            best = index;
-    return best;
+    if (front.empty()) return {};
+    return front.back();
 }
 
 TradeFacts read_trade_facts(const std::filesystem::path& file) {
@@ -104,6 +101,6 @@ std::string two_digits(double value) {
     return value >= 99.5 && value < 1e5 ? fmt::format("{:.0f}", value) : fmt::format("{:.2g}", value);
 }
 
-std::string error_text(double error) { return std::isfinite(error) ? two_digits(100 * error) + " %" : "not known"; }
+std::string error_text(double error) { return std::isfinite(error) ? percentage_text(error) : "not known"; }
 
 }  // namespace dmp::report

@@ -9,6 +9,7 @@
 
 #include "scene/measure_columns.hpp"
 #include "study/csv_table.hpp"
+#include "study/measure_columns.hpp"
 
 namespace dmp::study {
 
@@ -45,12 +46,6 @@ TimeSeries read_rows(const Scene& scene, const Reference& reference) {
         throw InputError(table.rows().front().location, "the table has one line, and a curve needs two",
                          "add lines, or write a constant as a formula");
     return rows;
-}
-
-/// Of the vector that a column is a component of, "flow_" for flow_x; else the column's.
-std::string vector_of(const std::string& column) {
-    const bool is_component = column.ends_with("_x") || column.ends_with("_y") || column.ends_with("_z");
-    return is_component ? column.substr(0, column.size() - 1) : column;
 }
 
 }  // namespace

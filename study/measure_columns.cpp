@@ -54,6 +54,11 @@ bool is_column_of(const Scene& scene, const std::string& measure, const std::str
            });
 }
 
+std::string vector_of(const std::string& column) {
+    const bool is_component = column.ends_with("_x") || column.ends_with("_y") || column.ends_with("_z");
+    return is_component ? column.substr(0, column.size() - 1) : column;
+}
+
 bool counts_particles(const Scene& scene, const std::string& column) {
     return std::ranges::any_of(scene.measures, [&](const Measure& measure) {
         if (*measure.kind != MeasureKind::aggregate || !is_column_of(scene, *measure.name, column)) return false;

@@ -23,6 +23,9 @@ struct MeasureColumns {
 /// longer.
 [[nodiscard]] bool is_column_of(const Scene& scene, const std::string& measure, const std::string& column);
 
+/// The name of the vector that a column is a component of, "flow_" for flow_x; else the column's.
+[[nodiscard]] std::string vector_of(const std::string& column);
+
 /// Whether a column of measures.csv counts particles or bonds, of which a smaller spacing has more.
 [[nodiscard]] bool counts_particles(const Scene& scene, const std::string& column);
 

@@ -96,10 +96,13 @@ int close(const TradeCommand& command, const TradeRequest& trade, const SweepRow
         return signals.exit_code();
     }
     const SweepCounts& counts = rows.counts();
-    if (counts.left() > 0) {
+    if (counts.left() > 0 && trade.budget) {
         need_enough_budget(outcome, budget, trade, command.typed);
         print(left_text(trade, counts, budget, outcome, command.typed));
     }
+    if (counts.left() > 0 && !trade.budget)
+        print(fmt::format("\n{} not done. Go on:\n  {}\n", count_text(counts.left(), "run"),
+                          command.typed.with("--resume")));
     if (!outcome.is_known())
         throw InputError({folder.string(), 0, 0}, "fewer than two settings have come to their end",
                          "results.csv there says why.");

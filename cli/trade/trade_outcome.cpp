@@ -46,10 +46,8 @@ std::vector<study::TradeColumn> trade_columns(const std::vector<std::string>& co
     std::map<std::string, std::size_t> numbers;
     std::vector<study::TradeColumn> all;
     for (const std::string& name : columns) {
-        const bool is_component = name.ends_with("_x") || name.ends_with("_y") || name.ends_with("_z");
-        const std::string vector = is_component ? name.substr(0, name.size() - 1) : name;
         study::TradeColumn& column = all.emplace_back();
-        column.vector = numbers.emplace(vector, numbers.size()).first->second;
+        column.vector = numbers.emplace(study::vector_of(name), numbers.size()).first->second;
         if (const Reference* reference = study::reference_of(scene, name))
             column.exact = study::exact_series(scene, *reference, times);
     }

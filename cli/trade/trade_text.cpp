@@ -71,16 +71,12 @@ std::string measures_table(const TradeOutcome& outcome) {
 
 /// The smallest error, and how much of it is scatter, where it is that of a measure whose runs scatter.
 std::string best_text(const TradeOutcome& outcome) {
-    const study::RunError* best = nullptr;
-    for (std::size_t r = 0; r < outcome.runs.size(); ++r) {
-        const study::RunError& each = outcome.errors.runs[r];
-        if (!outcome.may_be_advised(outcome.setting(outcome.runs[r])) || std::isnan(each.error)) continue;
-        if (best == nullptr || each.error < best->error) best = &each;
-    }
-    if (best == nullptr) return "not reachable: no error is known";
-    const double scatter = outcome.errors.columns[best->column].scatter;
-    return fmt::format("not reachable: the smallest error is {}, in {}{}", part_text(best->error),
-                       outcome.columns[best->column],
+    const std::vector<std::size_t> front = outcome.front();
+    if (front.empty()) return "not reachable: no error is known";
+    const study::RunError& best = outcome.errors.runs[front.back()];
+    const double scatter = outcome.errors.columns[best.column].scatter;
+    return fmt::format("not reachable: the smallest error is {}, in {}{}", part_text(best.error),
+                       outcome.columns[best.column],
                        scatter > 0 ? fmt::format(", and repeats scatter by {}", part_text(scatter)) : "");
 }
 
