@@ -100,7 +100,7 @@ class ParticleBuilder {
     void add_solid(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
     void add_cells(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
     void add_unbonded(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
-    [[nodiscard]] std::vector<bool> clamped_nodes(const Part& part, const std::vector<Vec>& nodes) const;
+    void clamp_cells(const Part& part, SolidCells& cells) const;
     [[nodiscard]] std::vector<bool> anchored_nodes(const Part& part, const std::vector<Vec>& nodes) const;
     [[nodiscard]] Vec lattice_step() const { return {lattice_.step()[0], lattice_.step()[1], 0}; }
     void add_ladder(const Part& part, int part_number, const Polyline& curve, MeshReport::SpringLine& line);

@@ -110,9 +110,6 @@ void check_cells(const Scene& scene, const Part& part) {
         case ElasticModel::cells:
             break;
     }
-    if (scene.dimension == 3)
-        throw InputError(part.model.location, part_name + ": solids of cells are 2-D so far",
-                         "write model = \"springs\"");
     if (scene.dimension == 2 && !part.density.given())
         throw InputError(part.model.location, part_name + " is a strip, and model = \"cells\" is for areas",
                          "leave out model, or draw the part as an area, with density");
