@@ -68,7 +68,7 @@ struct LocalCell {
   private:
     template <class Use>
     [[nodiscard]] auto with_law(const Use& use) const {
-        return law.visit([&]<class Law>() { return use(Law{element.constants()}); });
+        return with_elastic_law(law, element.constants(), use);
     }
 };
 

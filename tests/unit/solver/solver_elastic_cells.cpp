@@ -1,12 +1,12 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The laws of elastic solids, and one cell of them, against closed forms and numerical derivatives.
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <random>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "models/elastic/elastic_cell.hpp"
@@ -53,7 +53,8 @@ typename Voigt<D>::Square numerical_tangent(const Law& law, const Matrix<D>& c) 
         const auto [i, j] = Voigt<D>::axes[column];
         Matrix<D> change = Matrix<D>::Zero();  // of C = 1 + 2 E: of 2 E_ij = 2 d, both components of C change by 2 d
         change(i, j) = change(j, i) = i == j ? 2 * d : d;
-        const Matrix<D> difference = (law.template stress<D>(c + change) - law.template stress<D>(c - change)) / (2 * d);
+        const Matrix<D> difference =
+            (law.template stress<D>(c + change) - law.template stress<D>(c - change)) / (2 * d);
         for (int row = 0; row < Voigt<D>::size; ++row)
             tangent(row, column) = difference(Voigt<D>::axes[row][0], Voigt<D>::axes[row][1]);
     }
