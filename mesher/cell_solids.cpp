@@ -21,6 +21,29 @@ std::span<const int> corners(const SolidCells& cells, std::size_t cell, int dime
 
 }  // namespace
 
+BoxLattice boxes_of(const ParticleSpace& space, const Vec& step) { return boxes_of(space, step, space.box.low); }
+
+BoxLattice boxes_of(const ParticleSpace& space, const Vec& step, const Vec& origin) {
+    BoxLattice boxes{space.dimension, origin, step};
+    for (int axis = 0; axis < space.dimension; ++axis) {
+        if (!space.periodic[axis]) continue;
+        boxes.period[axis] = static_cast<int>(std::lround(space.box.extent()[axis] / step[axis]));
+        boxes.origin[axis] = space.box.low[axis];
+    }
+    return boxes;
+}
+
+void hold_on_planes(const ParticleSpace& space, SolidCells& cells) {
+    constexpr double on_it = 1e-6;  // [spacings]
+    for (CellNode& node : cells.nodes)
+        for (int axis = 0; axis < space.dimension; ++axis)
+            for (const int side : {0, 1}) {
+                if (!space.mirrored[axis][side]) continue;
+                const double plane = (side == 0 ? space.box.low : space.box.high)[axis];
+                if (std::abs(node.position[axis] - plane) < on_it * space.spacing) node.on_plane[axis] = true;
+            }
+}
+
 bool is_clamped(const Vec& from_anchor, const Vec& normal, double spacing) {
     constexpr double a_little = 1e-6;
     const double off = from_anchor.dot(normal), beside = (from_anchor - off * normal).norm();

@@ -11,6 +11,13 @@
 
 namespace dmp::mesher {
 
+/// The boxes of a lattice with this step that begins at the low corner of the set's box, or at another corner of it.
+[[nodiscard]] BoxLattice boxes_of(const ParticleSpace& space, const Vec& step);
+[[nodiscard]] BoxLattice boxes_of(const ParticleSpace& space, const Vec& step, const Vec& origin);
+
+/// Nodes on a plane of symmetry stay in it.
+void hold_on_planes(const ParticleSpace& space, SolidCells& cells);
+
 /// How far from its anchor a node may be and be clamped [spacings].
 constexpr double farthest_clamped = 1.2;
 

@@ -33,9 +33,10 @@ bool is_clamped_by(const CurveSet& anchor, const Vec& node, double spacing) {
 
 void ParticleBuilder::claim_cells(SpringSolid& solid, const Region& region) {
     const Part& part = *solid.part;
-    const BoxLattice boxes{2, result_.particles.box.low, lattice_step()};
+    const BoxLattice boxes = boxes_of(result_.particles, lattice_step());
     SolidCells cells = RegionOnBoxes(region, boxes).cells();
     check_filled(part, cells, region.area());
+    hold_on_planes(result_.particles, cells);
     clamp_cells(part, cells);
     for (std::size_t n = 0; n < cells.cells.size(); ++n) {
         solid.points.push_back(cells.fillings[n].centroid);

@@ -138,7 +138,7 @@ void ParticleBuilder::add_elastic(const Part& part) {
     if (solid != solids_.end()) {
         const std::size_t first = result_.particles.size();
         add_solid(*solid, number, line);
-        note_open_ends(result_.particles, first, part.name, result_.report.notes);
+        if (!solid->cells) note_open_ends(result_.particles, first, part.name, result_.report.notes);
         result_.report.springs.push_back(line);
         return;
     }

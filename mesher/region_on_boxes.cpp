@@ -79,11 +79,20 @@ Filling RegionOnBoxes::filling(const std::array<int, 3>& box) const {
 bool RegionOnBoxes::joined(const std::array<int, 3>& box, int axis) const {
     std::array<int, 3> next = box;
     ++next[axis];
-    const Vec start = lattice_.corner(next);
-    Vec along = Vec::Zero();
+    const std::array<int, 3> image = lattice_.in_period(next);
+    const bool is_beyond = image != next;
+    Vec along = Vec::Zero(), a_little = Vec::Zero();
     along[1 - axis] = lattice_.step[1 - axis];
-    for (int n = 0; n < points_of_a_face; ++n)
-        if (inside_.side_of(start + (n + 0.5) / points_of_a_face * along) == Side::inside) return true;
+    a_little[axis] = 1e-6 * lattice_.step[axis];
+    for (int n = 0; n < points_of_a_face; ++n) {
+        const Vec place = (n + 0.5) / points_of_a_face * along;
+        const auto is_inside = [&](const Vec& point) { return inside_.side_of(point) == Side::inside; };
+        // A periodic side is an edge of the area: what counts lies before and behind it.
+        if (is_beyond ? is_inside(lattice_.corner(next) + place - a_little) &&
+                            is_inside(lattice_.corner(image) + place + a_little)
+                      : is_inside(lattice_.corner(next) + place))
+            return true;
+    }
     return false;
 }
 

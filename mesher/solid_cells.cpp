@@ -63,8 +63,9 @@ class Builder {
             int nearest = -1;
             double least = std::numeric_limits<double>::infinity();
             for (const BoxIndex& beside : around(box, lattice_.dimension)) {
-                const auto found = number_.find(beside);
-                if (found == number_.end()) continue;
+                const auto found = number_.find(lattice_.in_period(beside));
+                // Beyond a periodic side its solid is a period away.
+                if (found == number_.end() || found->first != beside) continue;
                 const double apart = (result_.fillings[found->second].centroid - filling.centroid).norm();
                 if (apart >= least) continue;
                 least = apart;
@@ -106,8 +107,8 @@ class Builder {
             for (int axis = 0; axis < lattice_.dimension; ++axis) {
                 BoxIndex next = boxes_[n];
                 ++next[axis];
-                const auto found = number_.find(next);
-                if (found == number_.end() || !solid_.joined(boxes_[n], axis)) continue;
+                const auto found = number_.find(lattice_.in_period(next));
+                if (found == number_.end() || found->second == n || !solid_.joined(boxes_[n], axis)) continue;
                 pieces.join(n, found->second);
                 for (int k = 0; k < corners; ++k)
                     if (k >> axis & 1) nodes.join(n * corners + k, found->second * corners + (k ^ 1 << axis));
@@ -120,10 +121,13 @@ class Builder {
                 const auto [known, is_new] =
                     node_of.try_emplace(nodes.find(n * corners + k), static_cast<int>(result_.nodes.size()));
                 result_.cells[n].node[k] = known->second;
-                if (!is_new) continue;
                 BoxIndex corner = boxes_[n];
                 for (int axis = 0; axis < lattice_.dimension; ++axis) corner[axis] += k >> axis & 1;
-                result_.nodes.push_back({lattice_.corner(corner), false});
+                // Nodes on a periodic side are those of its low end.
+                const BoxIndex at = lattice_.in_period(corner);
+                for (int axis = 0; axis < lattice_.dimension; ++axis)
+                    if (at[axis] != corner[axis]) result_.cells[n].periods |= SolidCell::period_bit(k, axis);
+                if (is_new) result_.nodes.push_back({lattice_.corner(at)});
             }
         }
         result_.pieces = static_cast<int>(piece_of.size());

@@ -25,13 +25,20 @@ struct Filling {
 /// The boxes of a lattice: box (i, j, k) goes from origin + (i, j, k) step on.
 struct BoxLattice {
     int dimension = 2;
-    Vec origin = Vec::Zero();  ///< [m]
-    Vec step = Vec::Zero();    ///< [m]; in 2-D z = 0
+    Vec origin = Vec::Zero();     ///< [m]
+    Vec step = Vec::Zero();       ///< [m]; in 2-D z = 0
+    std::array<int, 3> period{};  ///< by axis: boxes in a period, of which the first is box 0; 0: none
 
     [[nodiscard]] Vec corner(const std::array<int, 3>& box) const {
         return origin + Vec(box[0], box[1], box[2]).cwiseProduct(step);
     }
     [[nodiscard]] Vec middle(const std::array<int, 3>& box) const { return corner(box) + 0.5 * step; }
+    /// The box that it is an image of.
+    [[nodiscard]] std::array<int, 3> in_period(std::array<int, 3> box) const {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (period[axis] > 0) box[axis] = ((box[axis] % period[axis]) + period[axis]) % period[axis];
+        return box;
+    }
     [[nodiscard]] double volume() const { return step.head(dimension).prod(); }
 };
 
@@ -54,13 +61,15 @@ struct SolidCells {
 struct SolidOnLattice {
     /// What fills a box.
     std::function<Filling(const std::array<int, 3>& box)> filling;
-    /// Whether there is solid on the face between a box and the next one along an axis; both have solid in them.
+    /// Whether there is solid on the face between a box and the next one along an axis, also where that is a period
+    /// away; both have solid in them.
     std::function<bool(const std::array<int, 3>& box, int axis)> joined;
 };
 
 /// A cell for each box of which the solid fills at least a quarter. What is in other boxes goes to the cell beside them
 /// whose solid is nearest, so that the solid's volume and moments stay what they are. Cells share the nodes of a face
-/// where there is solid on it, and have nodes of their own elsewhere: a slit between two boxes stays one. `first` to
+/// where there is solid on it, and have nodes of their own elsewhere: a slit between two boxes stays one. Through a
+/// periodic side the solid goes on. `first` to
 /// `last`, which is left out: the boxes to look at.
 SolidCells solid_cells(const BoxLattice& lattice, const std::array<int, 3>& first, const std::array<int, 3>& last,
                        const SolidOnLattice& solid);

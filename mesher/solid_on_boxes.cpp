@@ -47,7 +47,11 @@ SolidOnBoxes::SolidOnBoxes(const TriangleSurface& surface, const BoxLattice& lat
         }
         return inside;
     };
-    std::vector<std::vector<Stretch>> row_before(static_cast<std::size_t>(lines)), here(row_before);
+    using Row = std::vector<std::vector<Stretch>>;
+    Row first_row, row_before(static_cast<std::size_t>(lines)), here(row_before);
+    const auto is_whole_period = [&](int axis) {
+        return lattice_.period[axis] > 0 && first_[axis] == 0 && last_[axis] == lattice_.period[axis];
+    };
     for (int row = 0; row < layers; ++row) {
         for (int line = 0; line < lines; ++line) {
             here[line] = inside_of(row, line);
@@ -56,7 +60,12 @@ SolidOnBoxes::SolidOnBoxes(const TriangleSurface& surface, const BoxLattice& lat
             add_line(box, Vec(0, rows[row].first_y + line * step_y - middle[1], rows[row].z - middle[2]), here[line]);
             if (line > 0 && line % lines_across == 0) join_boxes({box[0] - 1, box[1]}, 1, here[line - 1], here[line]);
             if (row > 0 && row % lines_across == 0) join_boxes({box[0], box[1] - 1}, 2, row_before[line], here[line]);
+            if (row + 1 == layers && is_whole_period(2))
+                join_boxes(box, 2, here[line], row == 0 ? here[line] : first_row[line]);
+            if (line + 1 == lines && is_whole_period(1)) join_boxes(box, 1, here[line], here[0]);
+            if (is_whole_period(0)) join_ends({box[0], box[1]}, here[line]);
         }
+        if (row == 0) first_row = here;
         std::swap(row_before, here);
     }
 }
@@ -94,6 +103,15 @@ void SolidOnBoxes::join_boxes(const std::array<int, 2>& box, int axis, const std
                     sums_[number({i, box[0], box[1]})].joined[axis] = true;
             }
         }
+}
+
+/// Of a line through a whole period: where it is inside at both ends, the solid goes on through them.
+void SolidOnBoxes::join_ends(const std::array<int, 2>& box, const std::vector<Stretch>& inside) {
+    if (inside.empty()) return;
+    const double a_little = 1e-6 * lattice_.step[0];
+    const double low = lattice_.corner(first_)[0] + a_little, high = lattice_.corner(last_)[0] - a_little;
+    if (inside.front().from < low && inside.back().to > high)
+        sums_[number({last_[0] - 1, box[0], box[1]})].joined[0] = true;
 }
 
 Filling SolidOnBoxes::filling(const std::array<int, 3>& box) const {

@@ -34,6 +34,7 @@ class SolidOnBoxes {
     void add_line(const std::array<int, 2>& box, const Vec& line, const std::vector<Stretch>& inside);
     void join_boxes(const std::array<int, 2>& box, int axis, const std::vector<Stretch>& last,
                     const std::vector<Stretch>& next);
+    void join_ends(const std::array<int, 2>& box, const std::vector<Stretch>& inside);
     [[nodiscard]] Filling filling(const std::array<int, 3>& box) const;
 
     BoxLattice lattice_;

@@ -21,9 +21,10 @@ void SpaceBuilder::claim_cells(const Part& part, const Solid& solid) {
             "the surface of '" + part.name.value + "' has holes, so that what of a cell it fills is not known",
             "close it: geometry.repair, or dmp inspect, says where it is open");
     const Vec step = lattice_step();
-    const BoxLattice boxes{3, lattice_->at(0, 0, 0) - 0.5 * step, step};
+    const BoxLattice boxes = boxes_of(result_.particles, step, lattice_->at(0, 0, 0) - 0.5 * step);
     SolidCells cells = SolidOnBoxes(solid.surface, boxes).cells();
     check_filled(part, cells, solid.volume());
+    hold_on_planes(result_.particles, cells);
     const std::int16_t owner = owner_of_wall(walls_.size() + spring_solids_.size());
     claim(solid.surface, owner);
     for (const SolidCell& cell : cells.cells) {

@@ -171,7 +171,6 @@ void SpaceBuilder::add_elastic(const Part& part) {
     const auto solid = std::ranges::find(spring_solids_, &part, &SpringSolid::part);
     if (solid != spring_solids_.end() && solid->cells) {
         add_cells(*solid, number, line);
-        note_open_ends(set, first, part.name, result_.report.notes);
         result_.report.springs.push_back(line);
         return;
     }

@@ -24,6 +24,11 @@ std::string problem_with_cell(const ParticleSet& set, const SolidCell& cell, std
         if (!(std::abs(cell.centroid[axis]) <= half)) return "its centroid is outside";
         if (!(cell.moment[axis] >= 0) || !std::isfinite(cell.moment[axis])) return "a moment is less than 0";
     }
+    for (int axis = 0; axis < 3; ++axis)
+        for (int k = 0; k < 8; ++k)
+            if ((cell.periods & SolidCell::period_bit(k, axis)) != 0 &&
+                (k >> set.dimension != 0 || axis >= set.dimension || !set.periodic[axis]))
+                return "a corner is a period away along an axis that has none";
     const std::span corners = std::span(cell.node).first(std::size_t{1} << set.dimension);
     for (std::size_t k = 0; k < corners.size(); ++k) {
         if (corners[k] < 0 || static_cast<std::size_t>(corners[k]) >= set.cell_nodes.size())
@@ -65,18 +70,21 @@ std::string problem_with_cells(const ParticleSet& set) {
 void write_cells(Hdf5Writer& to, const ParticleSet& set) {
     if (set.cells.empty()) return;
     std::vector<double> positions;
-    std::vector<std::uint8_t> fixed;
+    std::vector<std::uint8_t> fixed, on_plane;
     for (const CellNode& node : set.cell_nodes) {
         positions.insert(positions.end(), node.position.begin(), node.position.end());
         fixed.push_back(node.fixed ? 1 : 0);
+        for (const bool each : node.on_plane) on_plane.push_back(each ? 1 : 0);
     }
     to.write_array<double>("cell_nodes/position", positions);
     to.write_array<std::uint8_t>("cell_nodes/fixed", fixed);
+    to.write_array<std::uint8_t>("cell_nodes/on_plane", on_plane);
     to.set_attribute("cell_nodes/position", "unit", "m");
-    std::vector<std::int32_t> particles, nodes;
+    std::vector<std::int32_t> particles, nodes, periods;
     std::vector<double> sizes, centroids, moments;
     for (const SolidCell& cell : set.cells) {
         particles.push_back(cell.particle);
+        periods.push_back(cell.periods);
         nodes.insert(nodes.end(), cell.node.begin(), cell.node.end());
         sizes.insert(sizes.end(), cell.size.begin(), cell.size.end());
         centroids.insert(centroids.end(), cell.centroid.begin(), cell.centroid.end());
@@ -84,6 +92,7 @@ void write_cells(Hdf5Writer& to, const ParticleSet& set) {
     }
     to.write_array<std::int32_t>("cells/particle", particles);
     to.write_array<std::int32_t>("cells/nodes", nodes);
+    to.write_array<std::int32_t>("cells/periods", periods);
     to.write_array<double>("cells/size", sizes);
     to.write_array<double>("cells/centroid", centroids);
     to.write_array<double>("cells/moment", moments);
@@ -103,19 +112,25 @@ void read_cells(const Hdf5Reader& from, ParticleSet& set) {
     };
     const auto fixed = from.array<std::uint8_t>("cell_nodes/fixed");
     const auto position = read.operator()<double>("cell_nodes/position", fixed.size(), 3);
-    if (std::ranges::any_of(fixed, [](int flag) { return flag > 1; }))
-        from.refuse("cell_nodes/fixed is not 0 or 1 for each");
+    const auto on_plane = read.operator()<std::uint8_t>("cell_nodes/on_plane", fixed.size(), 3);
+    for (const auto* flags : {&fixed, &on_plane})
+        if (std::ranges::any_of(*flags, [](int flag) { return flag > 1; }))
+            from.refuse("cell_nodes/fixed or cell_nodes/on_plane is not 0 or 1 for each");
     for (std::size_t n = 0; n < fixed.size(); ++n)
-        set.cell_nodes.push_back({Vec(position[3 * n], position[3 * n + 1], position[3 * n + 2]), fixed[n] == 1});
+        set.cell_nodes.push_back({Vec(position[3 * n], position[3 * n + 1], position[3 * n + 2]),
+                                  fixed[n] == 1,
+                                  {on_plane[3 * n] == 1, on_plane[3 * n + 1] == 1, on_plane[3 * n + 2] == 1}});
     const auto particles = from.array<std::int32_t>("cells/particle");
     const std::size_t count = particles.size();
     const auto nodes = read.operator()<std::int32_t>("cells/nodes", count, 8);
+    const auto periods = read.operator()<std::int32_t>("cells/periods", count, 1);
     const auto sizes = read.operator()<double>("cells/size", count, 3);
     const auto centroids = read.operator()<double>("cells/centroid", count, 3);
     const auto moments = read.operator()<double>("cells/moment", count, 3);
     for (std::size_t n = 0; n < count; ++n) {
         SolidCell cell;
         cell.particle = particles[n];
+        cell.periods = periods[n];
         std::copy_n(nodes.begin() + static_cast<std::ptrdiff_t>(8 * n), 8, cell.node.begin());
         for (int axis = 0; axis < 3; ++axis) {
             const std::size_t at = 3 * n + static_cast<std::size_t>(axis);

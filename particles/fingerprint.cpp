@@ -100,10 +100,12 @@ void add_cells(Hash& hash, const ParticleSet& set) {
     for (const CellNode& node : set.cell_nodes) {
         hash.add(node.position);
         hash.add(node.fixed);
+        for (const bool on_plane : node.on_plane) hash.add(on_plane);
     }
     hash.add(set.cells.size());
     for (const SolidCell& cell : set.cells) {
         hash.add(cell.particle);
+        hash.add(cell.periods);
         for (const int node : cell.node) hash.add(node);
         for (const Vec& vector : {cell.size, cell.centroid, cell.moment}) hash.add(vector);
     }

@@ -38,8 +38,9 @@ struct Dihedral {
 
 /// A node of elastic cells: no particle.
 struct CellNode {
-    Vec position = Vec::Zero();  ///< at rest [m]
-    bool fixed = false;          ///< clamped
+    Vec position = Vec::Zero();      ///< at rest [m]
+    bool fixed = false;              ///< clamped
+    std::array<bool, 3> on_plane{};  ///< by axis: on a plane of symmetry across it
 };
 
 /// A particle that is a cell of an elastic solid: a box, of which the solid fills the particle's volume, between nodes
@@ -51,6 +52,18 @@ struct SolidCell {
     Vec size = Vec::Zero();      ///< of the box along its axes [m]
     Vec centroid = Vec::Zero();  ///< of the solid, from the middle of the box, along its axes [m]
     Vec moment = Vec::Zero();    ///< mean of (X_i - centroid_i)^2 in the solid, by axis [m^2]
+    /// Bit 8 axis + k: corner k is a period beyond its node along this axis, as the solid goes on through a
+    /// periodic side.
+    int periods = 0;
+
+    [[nodiscard]] static int period_bit(int corner, int axis) { return 1 << (8 * axis + corner); }
+    /// Where a corner is from its node [m].
+    [[nodiscard]] Vec shift(int corner, const Box& box) const {
+        Vec shift = Vec::Zero();
+        for (int axis = 0; axis < 3; ++axis)
+            if ((periods & period_bit(corner, axis)) != 0) shift[axis] = box.extent()[axis];
+        return shift;
+    }
 };
 
 /// A flat wall without an end, for spheres: they touch it from the side its normal points to.

@@ -225,6 +225,7 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
             through(node.id);
             through(node.fixed);
             through(node.of_wall);
+            for (bool& on_plane : node.on_plane) through(on_plane);
             through(node.origin);
             through(node.mass);
             through(node.drag);
@@ -237,6 +238,7 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
         through.list(cells, [&](BodyParts::Cell& cell) {
             through(cell.id);
             for (int& node : cell.node) through(node);
+            for (Vec& shift : cell.shift) through(shift);
             for (Vec* vector : {&cell.size, &cell.centroid, &cell.moment}) through(*vector);
             auto law = static_cast<int>(cell.law.number());
             through(law);

@@ -20,9 +20,10 @@ struct BodyParts {
         int id = 0;            ///< of the particle
         bool fixed = false;    ///< position is held
         bool of_wall = false;  ///< a wall particle to which the body is bonded: fixed, not a particle of the body
-        int origin = 0;        ///< source: number of an elastic solid or [[solidify]] (body_names)
-        double mass = 0;       ///< [kg]
-        double drag = 0;       ///< lab-frame drag [kg/s]
+        std::array<bool, 3> on_plane{};  ///< by axis: on a plane of symmetry across it, in which it stays
+        int origin = 0;                  ///< source: number of an elastic solid or [[solidify]] (body_names)
+        double mass = 0;                 ///< [kg]
+        double drag = 0;                 ///< lab-frame drag [kg/s]
         Vec position = Vec::Zero(), velocity = Vec::Zero(), position_before = Vec::Zero(), rest_position = Vec::Zero();
     };
     /// A bond, hinge or dihedral; order of the nodes as in Bond, Hinge and Dihedral.
@@ -39,6 +40,7 @@ struct BodyParts {
     struct Cell {
         int id = 0;                  ///< of the particle
         std::array<int, 8> node{};   ///< corners, as in SolidCell
+        std::array<Vec, 8> shift{};  ///< of each corner from its node: whole periods [m]
         Vec size = Vec::Zero();      ///< [m]
         Vec centroid = Vec::Zero();  ///< from the middle of the cell [m]
         Vec moment = Vec::Zero();    ///< [m^2]

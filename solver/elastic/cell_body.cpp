@@ -48,7 +48,7 @@ template <int D>
 typename CellBody<D>::Vectors CellBody<D>::at_centroids(const Vectors& of_nodes) const {
     Vectors centroids;
     centroids.reserve(cells_.size());
-    for (const LocalCell<D>& cell : network_.cells()) centroids.push_back(cell.at_centroid(of_nodes));
+    for (const LocalCell<D>& cell : network_.cells()) centroids.push_back(cell.centroid(of_nodes));
     return centroids;
 }
 
@@ -88,15 +88,15 @@ void CellBody<D>::expect(std::span<const Vec> /*w*/) {
 
 template <int D>
 Vec CellBody<D>::position(std::size_t node) const {
-    return in_space<D>(cell(node).at_centroid(network_.positions()));
+    return in_space<D>(cell(node).centroid(network_.positions()));
 }
 template <int D>
 Vec CellBody<D>::position_before(std::size_t node) const {
-    return in_space<D>(cell(node).at_centroid(network_.positions_before()));
+    return in_space<D>(cell(node).centroid(network_.positions_before()));
 }
 template <int D>
 Vec CellBody<D>::rest_position(std::size_t node) const {
-    return in_space<D>(cell(node).at_centroid(network_.positions_at_rest()));
+    return in_space<D>(cell(node).centroid(network_.positions_at_rest()));
 }
 
 template <int D>
@@ -118,7 +118,7 @@ std::vector<std::array<double, 6>> CellBody<D>::virial() const {
     std::vector<std::array<double, 6>> virial;
     virial.reserve(cells_.size());
     for (std::size_t p = 0; p < cells_.size(); ++p) {
-        const auto corners = cell(p).of(network_.positions());
+        const auto corners = cell(p).at(network_.positions());
         const double volume = cell(p).element.volume * cell(p).element.gradient(corners).determinant();
         Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
         stress.topLeftCorner<D, D>() = cell(p).stress(corners);

@@ -12,20 +12,18 @@ namespace dmp::solver {
 template <int D>
 SpringNetwork<D>::ImplicitSystem::ImplicitSystem(const SpringNetwork& body) {
     int unknowns = 0;
-    for (const auto fixed : body.fixed_) {
-        unknown_.push_back(fixed ? -1 : unknowns);
-        if (!fixed) unknowns += D;
-    }
+    for (std::size_t node = 0; node < body.ids_.size(); ++node)
+        for (int axis = 0; axis < D; ++axis) unknown_.push_back(body.is_held(node, axis) ? -1 : unknowns++);
     std::vector<Eigen::Triplet<double>> pattern;
     const auto couple = [&](int a, int b) {
-        if (unknown_[a] < 0 || unknown_[b] < 0) return;
         for (int i = 0; i < D; ++i)
             for (int j = 0; j < D; ++j) {
-                const int row = unknown_[a] + i, column = unknown_[b] + j;
+                const int row = unknown(a, i), column = unknown(b, j);
+                if (row < 0 || column < 0) continue;
                 pattern.emplace_back(std::max(row, column), std::min(row, column), 0.0);
             }
     };
-    for (int node = 0; node < static_cast<int>(unknown_.size()); ++node) couple(node, node);
+    for (int node = 0; node < static_cast<int>(nodes()); ++node) couple(node, node);
     const auto couple_all = [&](const auto& each) {
         for (std::size_t a = 0; a < each.node.size(); ++a)
             for (std::size_t b = 0; b < a; ++b) couple(each.node[a], each.node[b]);
@@ -55,13 +53,11 @@ void SpringNetwork<D>::ImplicitSystem::add(const LocalSpring<Law>& spring, const
         gradient[Law::arms[k].start] -= slope[k];
     }
     for (int a = 0; a < nodes; ++a)
-        for (int b = 0; b < nodes; ++b) {
-            const int row = unknown_[spring.node[a]], column = unknown_[spring.node[b]];
-            if (row < 0 || column < 0) continue;
+        for (int b = 0; b < nodes; ++b)
             for (int i = 0; i < D; ++i)
                 for (int j = 0; j < D; ++j)
-                    if (row + i >= column + j) entry(row + i, column + j) += weight * gradient[a][i] * gradient[b][j];
-        }
+                    add(unknown(spring.node[a], i), unknown(spring.node[b], j),
+                        weight * gradient[a][i] * gradient[b][j]);
 }
 
 template <int D>
@@ -69,13 +65,10 @@ void SpringNetwork<D>::ImplicitSystem::add(const LocalCell<D>& cell,
                                            const typename LocalCell<D>::Element::Square& stiffness) {
     constexpr int corners = LocalCell<D>::Element::corners;
     for (int a = 0; a < corners; ++a)
-        for (int b = 0; b < corners; ++b) {
-            const int row = unknown_[cell.node[a]], column = unknown_[cell.node[b]];
-            if (row < 0 || column < 0) continue;
+        for (int b = 0; b < corners; ++b)
             for (int i = 0; i < D; ++i)
                 for (int j = 0; j < D; ++j)
-                    if (row + i >= column + j) entry(row + i, column + j) += stiffness(a * D + i, b * D + j);
-        }
+                    add(unknown(cell.node[a], i), unknown(cell.node[b], j), stiffness(a * D + i, b * D + j));
 }
 
 template <int D>
@@ -84,9 +77,9 @@ void SpringNetwork<D>::ImplicitSystem::factorise(const SpringNetwork& body, cons
     dt_ = dt;
     position_ = position;
     std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
-    for (std::size_t node = 0; node < unknown_.size(); ++node)
-        for (int i = 0; i < D && unknown_[node] >= 0; ++i)
-            entry(unknown_[node] + i, unknown_[node] + i) += body.mass_[node] + dt / 2 * body.drag_[node];
+    for_each_unknown([&](std::size_t node, int, int number) {
+        entry(number, number) += body.mass_[node] + dt / 2 * body.drag_[node];
+    });
     body.for_each_spring([&](const auto& spring) {
         const auto arms = spring.arms(position);
         add(spring, spring.law.deviation(arms).gradient,
@@ -95,14 +88,13 @@ void SpringNetwork<D>::ImplicitSystem::factorise(const SpringNetwork& body, cons
                                    [&](double weight, const auto& slope) { add(spring, slope, dt * dt / 4 * weight); });
     });
     for (const LocalCell<D>& cell : body.cells_)
-        add(cell, cell.stiffness(cell.of(position), dt * dt / 4, dt / 2 * cell.relaxation));
+        add(cell, cell.stiffness(cell.at(position), dt * dt / 4, dt / 2 * cell.relaxation));
     if (more.empty()) {
         solver_.factorize(matrix_);
     } else {
         Matrix sum = matrix_;
-        for (std::size_t node = 0; node < unknown_.size(); ++node)
-            for (int i = 0; i < D && unknown_[node] >= 0; ++i)
-                sum.coeffRef(unknown_[node] + i, unknown_[node] + i) += more[node][i];
+        for_each_unknown(
+            [&](std::size_t node, int axis, int number) { sum.coeffRef(number, number) += more[node][axis]; });
         solver_.factorize(sum);
     }
     if (solver_.info() != Eigen::Success)
@@ -117,7 +109,7 @@ void SpringNetwork<D>::ImplicitSystem::archive(Archive& file, const std::string&
     file(name + "/factors_dt", dt);
     file(name + "/factors_position", position);
     if (!file.loading()) return;
-    if (!std::isfinite(dt) || (dt > 0 && position.size() != unknown_.size()))
+    if (!std::isfinite(dt) || (dt > 0 && position.size() != nodes()))
         throw unlike_any_run("factors of an elastic body that fit none");
     if (dt > 0) factorise(body, position, dt);
 }
@@ -126,11 +118,10 @@ template <int D>
 template <class Map>
 void SpringNetwork<D>::ImplicitSystem::change(std::span<Vec> values, double scale, const Map& map) const {
     Eigen::VectorXd free(matrix_.rows());
-    for (std::size_t node = 0; node < unknown_.size(); ++node)
-        for (int i = 0; i < D && unknown_[node] >= 0; ++i) free[unknown_[node] + i] = values[node][i];
+    for_each_unknown([&](std::size_t node, int axis, int number) { free[number] = values[node][axis]; });
     const Eigen::VectorXd image = map(free);
-    for (std::size_t node = 0; node < unknown_.size(); ++node)
-        for (int i = 0; i < D; ++i) values[node][i] = unknown_[node] >= 0 ? scale * image[unknown_[node] + i] : 0;
+    for (std::size_t node = 0; node < nodes(); ++node)
+        for (int i = 0; i < D; ++i) values[node][i] = unknown(node, i) >= 0 ? scale * image[unknown(node, i)] : 0;
 }
 
 template <int D>
@@ -149,18 +140,16 @@ template <int D>
 double SpringNetwork<D>::ImplicitSystem::correct(const Vectors& residual, double dt, Vectors& position,
                                                  Vectors& velocity) {
     Eigen::VectorXd right(matrix_.rows());
-    for (std::size_t node = 0; node < unknown_.size(); ++node)
-        for (int i = 0; i < D && unknown_[node] >= 0; ++i) right[unknown_[node] + i] = residual[node][i];
+    for_each_unknown([&](std::size_t node, int axis, int number) { right[number] = residual[node][axis]; });
     const Eigen::VectorXd change = solver_.solve(right);
     double largest = 0;
-    for (std::size_t node = 0; node < unknown_.size(); ++node)
-        for (int i = 0; i < D && unknown_[node] >= 0; ++i) {
-            const double dv = change[unknown_[node] + i];
-            velocity[node][i] += dv;
-            position[node][i] += dt / 2 * dv;
-            // Not std::max, which would lose a NaN.
-            if (!(std::abs(dv) * dt / 2 <= largest)) largest = std::abs(dv) * dt / 2;
-        }
+    for_each_unknown([&](std::size_t node, int axis, int number) {
+        const double dv = change[number];
+        velocity[node][axis] += dv;
+        position[node][axis] += dt / 2 * dv;
+        // Not std::max, which would lose a NaN.
+        if (!(std::abs(dv) * dt / 2 <= largest)) largest = std::abs(dv) * dt / 2;
+    });
     return largest;
 }
 

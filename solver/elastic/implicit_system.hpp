@@ -49,7 +49,22 @@ class SpringNetwork<D>::ImplicitSystem {
     template <class Map>
     void change(std::span<Vec> values, double scale, const Map& map) const;
 
-    std::vector<int> unknown_;  ///< first unknown by node, -1 if fixed
+    /// Of a node along an axis; -1 where it is held.
+    [[nodiscard]] int unknown(std::size_t node, int axis) const { return unknown_[node * D + axis]; }
+    [[nodiscard]] std::size_t nodes() const { return unknown_.size() / D; }
+    /// Calls visit(node, axis, unknown) for each.
+    template <class Visit>
+    void for_each_unknown(const Visit& visit) const {
+        for (std::size_t node = 0; node < nodes(); ++node)
+            for (int axis = 0; axis < D; ++axis)
+                if (const int number = unknown(node, axis); number >= 0) visit(node, axis, number);
+    }
+    /// Adds to the entry of two unknowns in the lower triangle; nothing where one is none.
+    void add(int row, int column, double value) {
+        if (column >= 0 && row >= column) entry(row, column) += value;
+    }
+
+    std::vector<int> unknown_;  ///< by node and axis
     Matrix matrix_;             ///< lower triangle
     Eigen::SimplicialLLT<Matrix> solver_;
     double dt_ = -1;

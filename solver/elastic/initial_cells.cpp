@@ -63,11 +63,13 @@ BodyParts initial_cells(const ParticleSet& set, const InitialSprings& drawn, int
                 BodyParts::Node node;
                 node.id = -1;
                 node.fixed = set.cell_nodes[number].fixed;
+                node.on_plane = set.cell_nodes[number].on_plane;
                 node.origin = source.origin;
                 node.position = node.position_before = node.rest_position = set.cell_nodes[number].position;
                 parts.nodes.push_back(node);
             }
             cell.node[static_cast<std::size_t>(k)] = known->second;
+            cell.shift[static_cast<std::size_t>(k)] = from.shift(k, set.box);
             BodyParts::Node& node = parts.nodes[static_cast<std::size_t>(known->second)];
             node.mass += share[k] * cell.mass;
             node.drag += share[k] * source.drag_of(cell.mass);

@@ -26,30 +26,37 @@ struct LocalCell {
                   parts.youngs_modulus, parts.poisson_ratio),
           law(parts.law),
           relaxation(parts.relaxation) {
-        for (std::size_t k = 0; k < node.size(); ++k) node[k] = parts.node[k];
+        for (std::size_t k = 0; k < node.size(); ++k) {
+            node[k] = parts.node[k];
+            shift.col(static_cast<int>(k)) = parts.shift[k].head<D>();
+        }
     }
 
     std::array<int, Element::corners> node{};
+    Corners shift;  ///< of each corner from its node: whole periods [m]
     Element element;
     ElasticLaw law;
     double relaxation;  ///< of its damping [s]
 
-    /// Values of its corners.
+    /// Positions of its corners, from those of the nodes.
+    [[nodiscard]] Corners at(const Vectors& position) const { return of(position) + shift; }
+    /// Values of its corners, such as velocities.
     [[nodiscard]] Corners of(const Vectors& values) const {
         Corners corners;
         for (int k = 0; k < Element::corners; ++k)
             for (int axis = 0; axis < D; ++axis) corners(axis, k) = values[node[k]][axis];
         return corners;
     }
-    /// The value at the centroid of a field of the nodes.
-    [[nodiscard]] Point at_centroid(const Vectors& values) const {
-        Point sum{};
-        for (int k = 0; k < Element::corners; ++k) sum += element.share[k] * values[node[k]];
-        return sum;
+    /// Where its centroid is.
+    [[nodiscard]] Point centroid(const Vectors& position) const {
+        const typename Element::Point centroid = at(position) * element.share;
+        Point point;
+        for (int axis = 0; axis < D; ++axis) point[axis] = centroid[axis];
+        return point;
     }
     /// Volume over that at rest.
     [[nodiscard]] double volume_ratio(const Vectors& position) const {
-        return element.gradient(of(position)).determinant();
+        return element.gradient(at(position)).determinant();
     }
 
     [[nodiscard]] Corners forces(const Corners& x, const Corners& v) const {

@@ -12,9 +12,9 @@ namespace dmp::solver {
 template <int D>
 void SpringNetwork<D>::add_cell_forces(const Vectors& position, const Vectors& velocity, Vectors& force) const {
     for (const LocalCell<D>& cell : cells_) {
-        const auto corners = cell.of(position);
+        const auto corners = cell.at(position);
         const bool crushed = !(cell.element.gradient(corners).determinant() > LocalCell<D>::least_volume);
-        if (crushed && !crushed_at_) crushed_at_ = cell.at_centroid(position_);
+        if (crushed && !crushed_at_) crushed_at_ = cell.centroid(position_);
         const auto forces = cell.forces(corners, cell.of(velocity));
         for (std::size_t k = 0; k < cell.node.size(); ++k)
             for (int axis = 0; axis < D; ++axis)
@@ -30,9 +30,9 @@ void SpringNetwork<D>::refuse_crushed_cells() const {
     problem << "a cell of the elastic solid '" << part_ << "' near (";
     for (int axis = 0; axis < D; ++axis) problem << (axis > 0 ? ", " : "") << (*crushed_at_)[axis];
     problem << ") m is pressed to less than a tenth of its volume or turned inside out";
-    throw DivergenceError(problem.str(),
-                          "the load there is too large for the solid's youngs_modulus: check both, or refine "
-                          "particles.spacing; elastic_law = \"neo_hookean\" resists compression");
+    throw CrushedCell(problem.str(),
+                      "the load there is too large for the solid's youngs_modulus: check both, or refine "
+                      "particles.spacing; elastic_law = \"neo_hookean\" resists compression");
 }
 
 template class SpringNetwork<2>;

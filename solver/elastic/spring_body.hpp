@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/errors.hpp"
 #include "base/vec.hpp"
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
@@ -16,6 +17,12 @@
 #include "solver/uses.hpp"
 
 namespace dmp::solver {
+
+/// A cell of an elastic solid is pressed to almost nothing or turned inside out.
+class CrushedCell : public DivergenceError {
+  public:
+    using DivergenceError::DivergenceError;
+};
 
 /// Impulses on elastic bodies from outside [N s].
 struct SpringImpulses {

@@ -39,6 +39,8 @@ SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name,
         ids_.push_back(node.id);
         fixed_.push_back(node.fixed ? 1 : 0);
         of_wall_.push_back(node.of_wall ? 1 : 0);
+        auto& on_plane = on_plane_.emplace_back();
+        for (int axis = 0; axis < D; ++axis) on_plane[axis] = node.on_plane[axis];
         origin_.push_back(node.origin);
         mass_.push_back(node.mass);
         drag_.push_back(node.drag);
@@ -65,10 +67,13 @@ SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name,
 template <int D>
 BodyParts SpringNetwork<D>::parts() const {
     BodyParts parts;
-    for (std::size_t n = 0; n < ids_.size(); ++n)
-        parts.nodes.push_back({ids_[n], fixed_[n] != 0, of_wall_[n] != 0, origin_[n], mass_[n], drag_[n],
+    for (std::size_t n = 0; n < ids_.size(); ++n) {
+        std::array<bool, 3> on_plane{};
+        std::ranges::copy(on_plane_[n], on_plane.begin());
+        parts.nodes.push_back({ids_[n], fixed_[n] != 0, of_wall_[n] != 0, on_plane, origin_[n], mass_[n], drag_[n],
                                in_space(position_[n]), in_space(velocity_[n]), in_space(position_before_[n]),
                                in_space(position_at_rest_[n])});
+    }
     for (std::size_t b = 0; b < bonds_.size(); ++b) {
         const auto& law = bonds_[b].law;
         parts.bonds.push_back({bonds_[b].node, law.rest_length, law.stiffness, law.dashpot, bond_origin_[b]});
@@ -129,14 +134,19 @@ void SpringNetwork<D>::drift(double h) {
 template <int D>
 typename SpringNetwork<D>::Point SpringNetwork<D>::kick_from_outside(std::span<const Point> force, double dt) {
     Point of_holders{};
-    for (std::size_t n = 0; n < ids_.size(); ++n) {
-        if (fixed_[n]) {
-            of_holders -= dt * force[n];
+    for (std::size_t n = 0; n < ids_.size(); ++n) push(n, dt, force[n], of_holders);
+    return of_holders;
+}
+
+template <int D>
+void SpringNetwork<D>::push(std::size_t node, double h, const Point& force, Point& of_holders) {
+    for (int axis = 0; axis < D; ++axis) {
+        if (is_held(node, axis)) {
+            of_holders[axis] -= h * force[axis];
         } else {
-            velocity_[n] += (dt / mass_[n]) * force[n];
+            velocity_[node][axis] += (h / mass_[node]) * force[axis];
         }
     }
-    return of_holders;
 }
 
 template <int D>
@@ -163,13 +173,14 @@ void SpringNetwork<D>::kick(double h, const Vectors& force, const Vectors& drag_
         }
         const auto drag = -drag_[n] * drag_velocity[n];
         impulses.of_drag += h * drag;
-        velocity_[n] += (h / mass_[n]) * (force[n] + drag);
+        push(n, h, force[n] + drag, impulses.of_anchors);
     }
 }
 
 template <int D>
 typename SpringNetwork<D>::Impulses SpringNetwork<D>::advance_subcycled(double dt, int substeps) {
     position_before_ = position_;
+    crushed_at_.reset();
     Impulses impulses{};
     const double h = dt / substeps;
     drift(h / 2);
@@ -197,7 +208,8 @@ double SpringNetwork<D>::step_limit() const {
     for (int iteration = 0; iteration < 300; ++iteration) {
         double norm = 0;
         for (std::size_t n = 0; n < ids_.size(); ++n) {
-            if (fixed_[n]) mode[n] = {};
+            for (int axis = 0; axis < D; ++axis)
+                if (is_held(n, axis)) mode[n][axis] = 0;
             norm += dot(mode[n], mode[n]);
         }
         norm = std::sqrt(norm);
@@ -213,8 +225,10 @@ double SpringNetwork<D>::step_limit() const {
         add_forces(behind, at_rest, force_behind);
         omega_square = 0;
         for (std::size_t n = 0; n < ids_.size(); ++n) {
-            const auto image = (-0.5 / (small * mass_[n])) * (force_ahead[n] - force_behind[n]);
-            omega_square += fixed_[n] ? 0 : dot(image, image);
+            auto image = (-0.5 / (small * mass_[n])) * (force_ahead[n] - force_behind[n]);
+            for (int axis = 0; axis < D; ++axis)
+                if (is_held(n, axis)) image[axis] = 0;
+            omega_square += dot(image, image);
             mode[n] = image;
         }
         omega_square = std::sqrt(omega_square);  // M^-1 K mode| of a unit mode: approaches omega^2 from below
@@ -227,7 +241,7 @@ double SpringNetwork<D>::energy() const {
     double energy = 0;
     for_each_spring(
         [&](const auto& spring) { energy += spring.law.energy(spring.law.deviation(spring.arms(position_)).value); });
-    for (const LocalCell<D>& cell : cells_) energy += cell.energy(cell.of(position_));
+    for (const LocalCell<D>& cell : cells_) energy += cell.energy(cell.at(position_));
     return energy;
 }
 

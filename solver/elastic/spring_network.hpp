@@ -141,9 +141,13 @@ class SpringNetwork final : public SpringBody {
             for (const auto& dihedral : dihedrals_) visit(dihedral);
     }
     void add_forces(const Vectors& position, const Vectors& velocity, Vectors& force) const;
+    /// Whether the node does not move along this axis: it is fixed, or on a plane of symmetry.
+    [[nodiscard]] bool is_held(std::size_t node, int axis) const { return fixed_[node] != 0 || on_plane_[node][axis]; }
+    /// v += h F / m along axes on which the node is free; the supports take it along the others [N s].
+    void push(std::size_t node, double h, const Point& force, Point& of_holders);
     /// Those of the cells. Not a number where a cell is crushed or turned inside out, which no step may leave.
     void add_cell_forces(const Vectors& position, const Vectors& velocity, Vectors& force) const;
-    /// Throws DivergenceError for a cell that is crushed or turned inside out, with its place.
+    /// Throws CrushedCell for a cell that is crushed or turned inside out, with its place.
     void refuse_crushed_cells() const;
     void drift(double h);
     void advance_in_parts(double dt, int halvings_left, Impulses& impulses);
@@ -157,10 +161,11 @@ class SpringNetwork final : public SpringBody {
     std::vector<LocalSpring<HingeForce<D>>> hinges_;
     [[no_unique_address]] Dihedrals dihedrals_;
     std::vector<LocalCell<D>> cells_;
-    double spacing_;                       ///< length scale of the distances between nodes [m]
-    Vectors position_, velocity_, force_;  ///< positions are never wrapped: bodies may cross periodic boundaries
-    Vectors position_before_;              ///< before the last advance
-    Vectors position_at_rest_;             ///< initial
+    std::vector<std::array<bool, D>> on_plane_;  ///< by node and axis: on a plane of symmetry across it
+    double spacing_;                             ///< length scale of the distances between nodes [m]
+    Vectors position_, velocity_, force_;        ///< positions are never wrapped: bodies may cross periodic boundaries
+    Vectors position_before_;                    ///< before the last advance
+    Vectors position_at_rest_;                   ///< initial
     /// The first cell that was crushed in a trial of a step, since the last step.
     mutable std::optional<Point> crushed_at_;
     Vectors expected_;  ///< mean velocities of the next step, if known

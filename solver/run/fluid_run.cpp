@@ -283,11 +283,12 @@ void FluidRun::advance(const RunOptions& options, const Step& step) {
     } catch (const DivergenceError& error) {
         time_ += dt;
         ++step_;
-        // The fluid_ may have gone first; if not, the springs are to blame, or viscosity speaks for itself.
+        // The fluid_ may have gone first; if not, the springs are to blame; other errors say what is wrong.
         extremes_ = fluid_.extremes();
         stop_if_diverged(options.sink);
         if (dynamic_cast<const UnsolvedViscosity*>(&error) == nullptr &&
-            dynamic_cast<const UnsolvedSpecies*>(&error) == nullptr)
+            dynamic_cast<const UnsolvedSpecies*>(&error) == nullptr &&
+            dynamic_cast<const CrushedCell*>(&error) == nullptr)
             stop_on_violation(options.sink,
                               text_of(monitor_.stuck_elastic(particles_, fluid_, error.problem(), time_)));
         diverged(options.sink, error.problem(), error.what_to_do());

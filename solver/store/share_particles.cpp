@@ -64,29 +64,32 @@ void share_space(ParticleSpace& space, const Ranks& ranks) {
 }
 
 void share_cells(ParticleSet& set, const Ranks& ranks) {
-    std::vector<Vec> positions;
-    std::vector<std::uint8_t> fixed;
-    for (const CellNode& node : set.cell_nodes) {
-        positions.push_back(node.position);
-        fixed.push_back(node.fixed ? 1 : 0);
-    }
-    share(positions, ranks);
-    ranks.broadcast(fixed);
+    struct PlainNode {
+        std::array<double, 3> position;
+        bool fixed;
+        std::array<bool, 3> on_plane;
+    };
+    std::vector<PlainNode> nodes;
+    for (const CellNode& node : set.cell_nodes) nodes.push_back({three(node.position), node.fixed, node.on_plane});
+    ranks.broadcast(nodes);
     set.cell_nodes.clear();
-    for (std::size_t n = 0; n < fixed.size(); ++n) set.cell_nodes.push_back({positions[n], fixed[n] == 1});
+    for (const PlainNode& node : nodes) set.cell_nodes.push_back({vec(node.position), node.fixed, node.on_plane});
 
     struct Plain {
         int particle;
         std::array<int, 8> node;
         std::array<double, 3> size, centroid, moment;
+        int periods;
     };
     std::vector<Plain> cells;
     for (const SolidCell& cell : set.cells)
-        cells.push_back({cell.particle, cell.node, three(cell.size), three(cell.centroid), three(cell.moment)});
+        cells.push_back(
+            {cell.particle, cell.node, three(cell.size), three(cell.centroid), three(cell.moment), cell.periods});
     ranks.broadcast(cells);
     set.cells.clear();
     for (const Plain& cell : cells)
-        set.cells.push_back({cell.particle, cell.node, vec(cell.size), vec(cell.centroid), vec(cell.moment)});
+        set.cells.push_back(
+            {cell.particle, cell.node, vec(cell.size), vec(cell.centroid), vec(cell.moment), cell.periods});
 }
 
 }  // namespace

@@ -151,6 +151,43 @@ TEST(PlaneCells, of_two_areas_that_meet_at_a_corner_are_two_pieces) {
     EXPECT_EQ(std::set<int>(cells.piece.begin(), cells.piece.end()), (std::set<int>{0, 1}));
 }
 
+/// A box lattice with four boxes along x in a period.
+BoxLattice boxes_in_a_period(int dimension) {
+    return {dimension, Vec(0, -0.5, 0), Vec(0.25, 0.25, dimension == 3 ? 0.25 : 0), {4, 0, 0}};
+}
+
+void expect_corners_with_periods(const SolidCells& cells, int dimension) {
+    const Box box{Vec(0, -0.5, 0), Vec(1, 0.5, 1)};
+    std::size_t beyond = 0;
+    for (std::size_t n = 0; n < cells.cells.size(); ++n) {
+        const SolidCell& cell = cells.cells[n];
+        const Vec middle = cells.fillings[n].centroid - cell.centroid;
+        for (int k = 0; k < 1 << dimension; ++k) {
+            Vec corner = middle;
+            for (int axis = 0; axis < dimension; ++axis) corner[axis] += (k >> axis & 1 ? 0.5 : -0.5) * cell.size[axis];
+            EXPECT_LT((cells.nodes[cell.node[k]].position + cell.shift(k, box) - corner).norm(), 1e-12);
+            if (cell.shift(k, box)[0] > 0) ++beyond;
+        }
+    }
+    EXPECT_GT(beyond, 0U);
+}
+
+TEST(PlaneCells, go_on_through_a_periodic_side) {
+    const Region through{"strip", {rectangle(Vec(0.5, 0, 0), 1, 0.5)}};
+    const BoxLattice boxes = boxes_in_a_period(2);
+    const SolidCells cells = RegionOnBoxes(through, boxes).cells();
+    EXPECT_EQ(cells.cells.size(), 8U);
+    EXPECT_EQ(cells.nodes.size(), 12U);
+    EXPECT_EQ(cells.pieces, 1);
+    expect_corners_with_periods(cells, 2);
+    // One that ends at one of the sides does not.
+    const Region short_of_it{"strip", {rectangle(Vec(0.6, 0, 0), 0.8, 0.5)}};
+    const SolidCells ends = RegionOnBoxes(short_of_it, boxes).cells();
+    for (const SolidCell& cell : ends.cells)
+        EXPECT_EQ(cell.periods & ~SolidCell::period_bit(1, 0) & ~SolidCell::period_bit(3, 0), 0);
+    EXPECT_GT(ends.nodes.size(), 3 * ends.cells.size() / 2);
+}
+
 TEST(PlaneCells, say_what_is_too_thin) {
     Part part;
     part.name = std::string("film");
@@ -219,6 +256,15 @@ TEST(SpaceCells, of_two_boxes_with_a_face_between_them_are_two_pieces) {
     const SolidCells apart = SolidOnBoxes(surface, {3, Vec::Zero(), Vec::Constant(0.5)}).cells();
     EXPECT_EQ(apart.pieces, 2);
     EXPECT_EQ(apart.nodes.size(), 2U * 27);
+}
+
+TEST(SpaceCells, go_on_through_a_periodic_side) {
+    const SolidCells cells =
+        SolidOnBoxes(box_surface(Vec(0, -0.25, 0.25), Vec(1, 0.25, 0.5)), boxes_in_a_period(3)).cells();
+    EXPECT_EQ(cells.cells.size(), 8U);
+    EXPECT_EQ(cells.nodes.size(), 4U * 3 * 2);
+    EXPECT_EQ(cells.pieces, 1);
+    expect_corners_with_periods(cells, 3);
 }
 
 TEST(Anchors, clamp_the_nearest_row_of_nodes_and_those_beside_their_edge) {

@@ -24,7 +24,10 @@ constexpr int side = 14;
 
 /// A block of boxes, those on its low sides filled by two thirds.
 SolidCells block(int dimension, const std::array<int, 3>& first, const std::array<int, 3>& last) {
-    const BoxLattice lattice{dimension, Vec::Zero(), Vec(spacing, spacing, dimension == 3 ? spacing : 0)};
+    const BoxLattice lattice{dimension,
+                             Vec::Zero(),
+                             Vec(spacing, spacing, dimension == 3 ? spacing : 0),
+                             {side, side, dimension == 3 ? side : 0}};
     const auto filling = [&](const std::array<int, 3>& box) {
         Filling filled{lattice.volume(), lattice.middle(box), lattice.step.cwiseAbs2() / 12};
         if (box[0] == first[0]) {
@@ -79,7 +82,9 @@ SceneAndParticles solid_in_water(int dimension, SpringStepping stepping) {
     set.box = {Vec::Zero(), spacing * Vec(side, side, dimension == 3 ? side : 0)};
     set.periodic = {true, true, dimension == 3};
     set.parts = {{"water", PartKind::fluid}, {"solid", PartKind::elastic}};
-    const std::array<int, 3> first{4, 5, dimension == 3 ? 3 : 0}, last{9, 10, dimension == 3 ? 9 : 1};
+    // In 3-D it goes on through the periodic sides across y.
+    const std::array<int, 3> first{4, dimension == 3 ? 0 : 5, dimension == 3 ? 3 : 0},
+        last{9, dimension == 3 ? side : 10, dimension == 3 ? 9 : 1};
     const auto is_solid = [&](const std::array<int, 3>& box) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (box.at(axis) < first.at(axis) || box.at(axis) >= last.at(axis)) return false;

@@ -32,9 +32,11 @@ ParticleSet two_cells() {
     set.wall_normal.assign(3, Vec::Zero());
     set.wall_distance.assign(3, 0);
     for (const double y : {0.0, 1.0})
-        for (const double x : {0.0, 1.0, 2.0}) set.cell_nodes.push_back({Vec(x, y, 0), x == 0});
+        for (const double x : {0.0, 1.0, 2.0}) set.cell_nodes.push_back({Vec(x, y, 0), x == 0, {false, y == 1, false}});
     set.cells.push_back({0, {0, 1, 3, 4}, Vec(1, 1, 0), Vec(0.1, 0, 0), Vec(0.05, 0.08, 0)});
     set.cells.push_back({1, {1, 2, 4, 5}, Vec(1, 1, 0), Vec(0, -0.1, 0), Vec(0.07, 0.06, 0)});
+    set.periodic[0] = true;
+    set.cells[1].periods = SolidCell::period_bit(1, 0) | SolidCell::period_bit(3, 0);
     return set;
 }
 
@@ -48,11 +50,13 @@ TEST(CellsInFile, are_read_as_they_were_written) {
     for (std::size_t n = 0; n < read.cell_nodes.size(); ++n) {
         EXPECT_EQ(read.cell_nodes[n].position, written.cell_nodes[n].position);
         EXPECT_EQ(read.cell_nodes[n].fixed, written.cell_nodes[n].fixed);
+        EXPECT_EQ(read.cell_nodes[n].on_plane, written.cell_nodes[n].on_plane);
     }
     ASSERT_EQ(read.cells.size(), written.cells.size());
     for (std::size_t n = 0; n < read.cells.size(); ++n) {
         EXPECT_EQ(read.cells[n].particle, written.cells[n].particle);
         EXPECT_EQ(read.cells[n].node, written.cells[n].node);
+        EXPECT_EQ(read.cells[n].periods, written.cells[n].periods);
         EXPECT_EQ(read.cells[n].size, written.cells[n].size);
         EXPECT_EQ(read.cells[n].centroid, written.cells[n].centroid);
         EXPECT_EQ(read.cells[n].moment, written.cells[n].moment);
@@ -75,6 +79,9 @@ TEST(CellsInFile, that_nobody_can_use_are_named) {
         {"cell 0: a moment is less than 0", [](auto& set) { set.cells[0].moment[1] = -1e-3; }},
         {"cell 1: a corner is at a node that is not there", [](auto& set) { set.cells[1].node[2] = 6; }},
         {"cell 1: two corners are one node", [](auto& set) { set.cells[1].node[2] = 1; }},
+        {"cell 1: a corner is a period away along an axis that has none", [](auto& set) { set.periodic[0] = false; }},
+        {"cell 0: a corner is a period away along an axis that has none",
+         [](auto& set) { set.cells[0].periods = SolidCell::period_bit(5, 0); }},
         {"particle 1 is in a body of cells, and is none", [](auto& set) { set.cells.pop_back(); }},
         {"bond 0 ends at a cell, which has no bonds", [](auto& set) {
              set.bonds.push_back({2, 1, 1, 1});

@@ -63,6 +63,14 @@ TEST(Fingerprint, DependsOnAllThatAGeometryGives) {
             set.cells = {{}};
             set.cell_nodes = {{Vec(1, 2, 3), true}};
         },
+        [](ParticleSet& set) {
+            set.cells = {{}};
+            set.cell_nodes = {{Vec(1, 2, 3), true, {true, false, false}}};
+        },
+        [](ParticleSet& set) {
+            set.cells = {{}};
+            set.cells[0].periods = 3;
+        },
         [](ParticleSet& set) { set.wall_planes = {{}}; },
         [](ParticleSet& set) { set.wall_corners = {Vec::Zero()}; },
         [](ParticleSet& set) { set.wall_triangles = {{}}; }};
