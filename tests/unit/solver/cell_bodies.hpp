@@ -113,14 +113,16 @@ inline CellBody<2> cantilever(int across, int length, const Material& material) 
                       [=](const Vec& at) { return at[0] < 1e-6 * a; });
 }
 
-/// How far the middle of the end x = length of a block of this thickness has moved.
-inline Vec tip(const CellBody<2>& body, double length, double thickness = 1) {
+/// How far the node that was here has moved.
+inline Vec at_node(const CellBody<2>& body, const Vec& place) {
     const auto& network = body.network();
     for (std::size_t n = 0; n < network.nodes(); ++n)
-        if ((network.rest_position(n) - Vec(length, thickness / 2, 0)).norm() < 1e-6 * thickness)
-            return network.displacement(n);
-    throw std::logic_error("no node in the middle of the end");
+        if ((network.rest_position(n) - place).norm() < 1e-9) return network.displacement(n);
+    throw std::logic_error("no node there");
 }
+
+/// How far the middle of the end x = length of a beam along x, 1 m thick, has moved.
+inline Vec tip(const CellBody<2>& body, double length) { return at_node(body, Vec(length, 0.5, 0)); }
 
 /// By node, with a force for each place at rest and mass [N].
 template <int D>
