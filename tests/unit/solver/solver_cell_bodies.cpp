@@ -183,14 +183,19 @@ std::array<double, 2> ring_over_exact(int across, const Vec& shift) {
         const int axis = std::abs(at[0]) < 0.25 ? 1 : std::abs(at[1]) < 0.25 ? 0 : -1;
         return axis < 0 ? -1 : 2 * (1 - axis) + (at[axis] > 0 ? 1 : 0);
     };
-    std::array<double, 4> volume{};
+    std::array<double, 4> volume{}, first{}, second{};  // moments about the line of the pull
     for (std::size_t p = 0; p < body.nodes(); ++p)
-        if (const int place = place_of(body.rest_position(p)); place >= 0)
-            volume[place] += body.network().cells()[p].element.volume;
+        if (const int place = place_of(body.rest_position(p)); place >= 0) {
+            const double v = body.network().cells()[p].element.volume, x = body.rest_position(p)[0];
+            volume[place] += v;
+            first[place] += v * x;
+            second[place] += v * x * x;
+        }
     respond(body, on_particles<2>(body, [&](const Vec& at, double v) -> Vec {
                 const int place = place_of(at);
                 if (place != 0 && place != 1) return Vec::Zero();
-                return (place == 1 ? pull : -pull) * v / volume[place] * Vec::UnitY();
+                const double whole = volume[place] * second[place] - first[place] * first[place];
+                return (place == 1 ? pull : -pull) * v * (second[place] - first[place] * at[0]) / whole * Vec::UnitY();
             }));
     std::array<Vec, 4> moved{Vec::Zero(), Vec::Zero(), Vec::Zero(), Vec::Zero()};
     for (std::size_t p = 0; p < body.nodes(); ++p)
