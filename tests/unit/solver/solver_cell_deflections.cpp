@@ -73,7 +73,7 @@ TEST(BarBehindCylinder, is_as_long_as_the_nodes_that_are_clamped_tell) {
         const Region region = bar_behind_cylinder(root);
         const NearestCurve cylinder({"cylinder", {{root, false}}}, a);
         const BoxLattice boxes = lattice(2, a, Vec(0.6, 0.19, 0));
-        // The nodes nearest to the cylinder are clamped, as the mesher does it: half a spacing from it at most.
+        // The row of nodes nearest to the cylinder is clamped: half a spacing from it at most.
         const Vec end = moved_by_weight(RegionOnBoxes(region, boxes).cells(), [&](const Vec& at) {
             const auto nearest = cylinder.nearest(at);
             return nearest && nearest->distance <= (0.5 + 1e-6) * a;
