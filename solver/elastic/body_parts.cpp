@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <unordered_map>
 
 #include "base/errors.hpp"
@@ -221,11 +222,11 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
     if (file.loading()) bodies.clear();
     through.list(bodies, [&](BodyParts& body) {
         auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = body;
+        if (!cells.empty()) throw std::logic_error("bodies of cells do not change, and are not stored");
         through.list(nodes, [&](BodyParts::Node& node) {
             through(node.id);
             through(node.fixed);
             through(node.of_wall);
-            for (bool& on_plane : node.on_plane) through(on_plane);
             through(node.origin);
             through(node.mass);
             through(node.drag);
@@ -235,21 +236,6 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
         springs(bonds);
         springs(hinges);
         springs(dihedrals);
-        through.list(cells, [&](BodyParts::Cell& cell) {
-            through(cell.id);
-            for (int& node : cell.node) through(node);
-            for (Vec& shift : cell.shift) through(shift);
-            for (Vec* vector : {&cell.size, &cell.centroid, &cell.moment}) through(*vector);
-            auto law = static_cast<int>(cell.law.number());
-            through(law);
-            if (law < 0 || static_cast<std::size_t>(law) >= ElasticLaw::Registry::size)
-                throw unlike_any_run("a law of elastic solids that there is not");
-            cell.law = ElasticLaw(static_cast<std::size_t>(law));
-            for (double* number :
-                 {&cell.volume, &cell.mass, &cell.youngs_modulus, &cell.poisson_ratio, &cell.relaxation})
-                through(*number);
-            through(cell.origin);
-        });
         through.list(held_apart, [&](std::pair<int, int>& pair) {
             through(pair.first);
             through(pair.second);
