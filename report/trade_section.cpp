@@ -74,6 +74,23 @@ std::string best_of(const TradeFacts& trade) {
     return words + ".";
 }
 
+/// Where the runs do not go on to the end of the scene.
+bool is_shortened(const TradeFacts& trade) { return trade.simulated < trade.duration * (1 - 1e-9); }
+std::string compared_time(const TradeFacts& trade) {
+    if (!is_shortened(trade)) return "";
+    return fmt::format(" up to {:.4g} s of {:.4g} s", trade.simulated, trade.duration);
+}
+
+/// Of runs that are shorter than the scene: what was not seen.
+std::string unseen(const TradeFacts& trade) {
+    if (!is_shortened(trade)) return "";
+    return fmt::format(
+        "<p>The runs end at {:.4g} s of {:.4g} s: what happens later was not measured, and no level below the scene's "
+        "own "
+        "is advised.</p>\n",
+        trade.simulated, trade.duration);
+}
+
 std::string advice(const TradeFacts& trade) {
     std::string all = "<h3>The cheapest setting</h3>\n";
     for (const double tolerance : trade_tolerances) {
@@ -84,14 +101,14 @@ std::string advice(const TradeFacts& trade) {
             const double whole = setting.cost * trade.duration / trade.simulated;
             words =
                 name_of_setting(trade, setting, trade.largest_spacing()) + ", with an error of " +
-                error_text(setting.error) +
+                error_text(setting.error) + compared_time(trade) +
                 (std::isfinite(whole) ? "; the whole scene takes about " + wall_time_text(whole) + " of one processor."
                                       : ".");
         }
         all += fmt::format("<p>For {}: {}</p>\n", error_text(tolerance), escaped(words));
         if (index) all += "<pre><code>" + escaped(command_of(trade, trade.settings[*index])) + "</code></pre>\n";
     }
-    return all;
+    return all + unseen(trade);
 }
 
 }  // namespace

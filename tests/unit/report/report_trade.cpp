@@ -274,10 +274,12 @@ TEST(SectionOfATrade, HasPictureTableAndCommands) {
     EXPECT_THAT(html,
                 HasSubstr("For 1 %: not reachable: the smallest error is 2 %, in flux, and repeats scatter by 1.5 %."));
     EXPECT_THAT(html,
-                HasSubstr("For 5 %: 0.1414 mm, fine, with an error of 2 %; the whole scene takes about 20.0 min of "
-                          "one processor."));
-    EXPECT_THAT(html,
-                HasSubstr("For 10 %: 0.2 mm, standard, with an error of 6 %; the whole scene takes about 4.0 min"));
+                HasSubstr("For 5 %: 0.1414 mm, fine, with an error of 2 % up to 1.2 s of 4.8 s; the whole scene takes "
+                          "about 20.0 min of one processor."));
+    EXPECT_THAT(
+        html, HasSubstr("For 10 %: 0.2 mm, standard, with an error of 6 % up to 1.2 s of 4.8 s; the whole scene takes "
+                        "about 4.0 min"));
+    EXPECT_THAT(html, HasSubstr("The runs end at 1.2 s of 4.8 s: what happens later was not measured"));
     EXPECT_THAT(html,
                 HasSubstr("<code>dmp run cases/valve --set run.threads=1 --set &#39;particles.spacing=&quot;0.0002 "
                           "m&quot;&#39; --set &#39;quality=&quot;standard&quot;&#39;</code>"));
