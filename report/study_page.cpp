@@ -11,6 +11,7 @@
 #include "base/csv.hpp"
 #include "report/embedded.hpp"
 #include "report/html.hpp"
+#include "report/limits_section.hpp"
 #include "report/page_frame.hpp"
 #include "report/study_plots.hpp"
 #include "report/study_table.hpp"
@@ -179,12 +180,14 @@ std::string reproduce_section(const StudyFiles& study) {
 std::string study_page(const StudyFiles& study) {
     Items anchors;
     if (study.trade) anchors.emplace_back("trade", "Cost and error");
+    if (study.limits) anchors.emplace_back("limits", "Limits");
     anchors.insert(anchors.end(), {{"what", "What was studied"}, {"plots", "Plots"}, {"runs", "Runs"}});
     if (study.failed() > 0) anchors.emplace_back("failed", "Failed runs");
     if (!study.pictures.empty()) anchors.emplace_back("pictures", "Pictures");
     anchors.insert(anchors.end(), {{"time", "Time"}, {"reproduce", "How to run it again"}});
     const std::string text = head(study) + box("missing", "Not on this page", study.notes) + navigation(anchors) +
-                             (study.trade ? trade_section(*study.trade) : "") + what_was_studied(study) +
+                             (study.trade ? trade_section(*study.trade) : "") +
+                             (study.limits ? limits_section(*study.limits) : "") + what_was_studied(study) +
                              study_plots_section(study) + runs_section(study) + failures_section(study) +
                              pictures_section(study) + time_section(study) + reproduce_section(study);
     PageScripts run;
