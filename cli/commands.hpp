@@ -108,7 +108,7 @@ struct LimitsCommand {
     std::string scene;                   ///< a scene file, or a folder with a scene.toml
     std::vector<std::string> overrides;  ///< "key=value", as given
     std::string out;                     ///< empty: out/NAME_limits below the current folder
-    std::string until;                   ///< a time with its unit; empty: some hundred steps
+    std::string until;                   ///< a time with its unit; empty: what takes some seconds
     std::vector<std::string> dials;      ///< names of those to turn; empty: all
     std::string budget;                  ///< wall time with its unit; empty: any
     std::string tolerance;               ///< error from which on a measure departs; empty: 5 %

@@ -152,7 +152,7 @@ void add_limits_options(CLI::App& app, LimitsCommand& limits) {
     app.add_option("SCENE", limits.scene, "A scene file, or a folder with a scene.toml")->required()->type_name("");
     add_set(app, limits.overrides);
     app.add_option("--out", limits.out, "Folder for the runs; default: out/NAME OF THE SCENE_limits")->type_name("DIR");
-    app.add_option("--until", limits.until, "Run to this time, e.g. \"0.2 s\"; default: 400 steps of the scene")
+    app.add_option("--until", limits.until, "Run to this time, e.g. \"0.2 s\"; default: what takes some seconds")
         ->type_name("TIME");
     app.add_option("--dials", limits.dials, "Keys to turn, e.g. numerics.step_factor; default: all that dmp knows of")
         ->type_name("KEY");

@@ -22,8 +22,8 @@ namespace dmp::cli {
 
 namespace {
 
-/// Of a run with the scene's own settings, where nothing else is asked for.
-constexpr double steps_of_a_run = 400;
+/// Of a run with the scene's own settings, where nothing else is asked for: some seconds of a processor.
+constexpr double least_steps = 400, particle_steps = 2e7;
 /// Times at which something is written shape the steps: rows are far apart.
 constexpr double rows_of_a_run = 10;
 
@@ -49,14 +49,21 @@ study::LimitFacts facts_of(const Scene& scene, const Plan& plan, const Resources
                      error.what_to_do());
 }
 
-study::LimitFacts learnt_from(const Scene& scene, const std::string& path) {
+/// What the plan of a scene says, and how many particles it has.
+struct Learnt {
+    study::LimitFacts facts;
+    double particles = 0;
+};
+
+Learnt learnt_from(const Scene& scene, const std::string& path) {
     try {
         SceneChoice choice;
         choice.path = path;
         Resources resources;
         resources.threads = std::max(1, *scene.run.threads);
         const Prepared prepared = prepare(scene, choice, resources.ranks);
-        return facts_of(prepared.scene, Simulation(prepared.scene, prepared.particles, resources).plan(), resources);
+        const Plan plan = Simulation(prepared.scene, prepared.particles, resources).plan();
+        return {facts_of(prepared.scene, plan, resources), static_cast<double>(prepared.particles.size())};
     } catch (const InputError& error) {
         fails_at_its_own(error);
     }
@@ -105,8 +112,9 @@ LimitsRequest limits_request(const LimitsCommand& command) {
     if (!command.until.empty()) until = time_of(command.until, "--until");
     const double tolerance = command.tolerance.empty() ? 0.05 : tolerance_of(command.tolerance);
     const Scene scene = read_scene(command.scene, command.overrides);
-    const study::LimitFacts facts = learnt_from(scene, command.scene);
-    if (!until) until = std::min(*scene.run.duration, rounded(steps_of_a_run * facts.dt));
+    const auto [facts, particles] = learnt_from(scene, command.scene);
+    const double steps = std::max(least_steps, particle_steps / particles);
+    if (!until) until = std::min(*scene.run.duration, rounded(steps * facts.dt));
 
     std::vector<std::string> overrides = command.overrides;
     const std::vector<std::string> added = measures_to_add(scene);

@@ -108,7 +108,7 @@ void RungEnds::take_reference() {
     for (LimitColumn& column : columns_) {
         if (!has_column(repeat, column.name)) continue;
         column.scatter = distance_of(column, repeat, *own_).largest();
-        column.allowed = std::fmax(tolerance_, 2 * column.scatter);
+        column.allowed = std::fmax(tolerance_, 3 * column.scatter);
     }
 }
 

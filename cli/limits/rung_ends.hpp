@@ -45,15 +45,15 @@ struct LimitColumn {
     double scatter = study::no_number;  ///< distance of the repeat; NaN: not known
     double allowed = 0;                 ///< distance from which on a run departs
 
-    /// Not where it is zero, or scatters by more than half its size.
-    [[nodiscard]] bool counts() const { return size.peak > 0 && !(scatter > 0.5); }
+    /// Not where it is zero, or scatters by more than a fifth of its size.
+    [[nodiscard]] bool counts() const { return size.peak > 0 && !(scatter > 0.2); }
 };
 
 /// How the runs of a study of limits have ended, as its table and their folders have it; of those that go on, as soon
 /// as they have.
 class RungEnds {
   public:
-    /// `tolerance`: from which distance on a measure departs, where it scatters by less than half of that.
+    /// `tolerance`: from which distance on a measure departs, where it scatters by less than a third of that.
     RungEnds(const SweepRows& rows, const study::LimitStudy& study, const Scene& scene, double tolerance)
         : rows_(rows), study_(study), scene_(scene), tolerance_(tolerance) {}
 
