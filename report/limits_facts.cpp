@@ -42,6 +42,7 @@ Json json_of(const LimitsFacts::Dial& dial) {
               {"first_bad_run", dial.bad_run},
               {"ends", to_string(dial.way)},
               {"cause", dial.cause},
+              {"likely_causes", dial.likely_causes},
               {"margin", number(dial.margin())},
               {"stated_margin", number(dial.stated_margin())}};
     if (dial.way == LimitWay::departs) {
@@ -85,6 +86,7 @@ LimitsFacts::Dial dial_of(const JsonValue& json) {
     dial.bad_run = json["first_bad_run"].text();
     dial.way = way_of(json["ends"]);
     dial.cause = json["cause"].text();
+    dial.likely_causes = json["likely_causes"].text();
     dial.distance = json["distance"].number();
     dial.column = json["column"].text();
     dial.set = json["set"].texts();

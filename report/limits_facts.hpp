@@ -43,6 +43,7 @@ struct LimitsFacts {
         std::string clean_run, bad_run;    ///< "": none was needed
         LimitWay way = LimitWay::not_measured;
         std::string cause;             ///< what the first bad run said, or why there are no further values
+        std::string likely_causes;     ///< that it named; "": none
         double distance = 0;           ///< of the measure that departs; NaN: none
         std::string column;            ///< that it is of
         std::vector<std::string> set;  ///< what --set takes for the last clean value

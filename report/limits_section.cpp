@@ -18,6 +18,7 @@ std::string remark_on(const Dial& dial) {
     std::string remark = dial.what;
     if (dial.stated) remark += "; stated: " + dial.stated_by;
     if (!dial.cause.empty()) remark += "; " + dial.cause;
+    if (!dial.likely_causes.empty()) remark += "; likely causes: " + dial.likely_causes;
     return remark;
 }
 

@@ -155,7 +155,8 @@ std::vector<DialRow> rows() {
          both,
          false,
          [](const DialScene& of) {
-             return one_if(of.scene.particles.spacing.given(), key_of("numerics.support", of.scene.numerics.support));
+             return one_if(!of.scene.parts_of(PartKind::fluid).empty(),
+                           key_of("numerics.support", of.scene.numerics.support));
          },
          {{"sound", 1}, {"viscosity", 2}, {"species", 2}}},
         {"distance between particles",

@@ -64,6 +64,7 @@ std::string LimitStudy::text(const std::string& scene, const std::string& title,
     study.title = "Limits: " + title;
     study.purpose = "Where the models of the scene end; limits.json has what was found.";
     study.scene = scene;
+    study.left_out.insert(RunOutput::checkpoint);
     study.columns.assign(columns.begin(), columns.end());
     return study_text(study, folder);
 }

@@ -24,13 +24,15 @@ std::map<std::string, std::string> values_set(const std::vector<std::string>& ov
 }
 
 std::string study_text(const WrittenStudy& study, const fs::path& folder) {
+    std::vector<std::string> left_out;
+    for (const RunOutput each : study.left_out) left_out.push_back(toml_quoted(to_string(each)));
     std::string text = "# " + study.comment + "\ntitle = " + toml_quoted(study.title) +
                        "\npurpose = " + toml_quoted(study.purpose) + "\nscene = " +
                        toml_quoted(fs::absolute(study.scene)
                                        .lexically_normal()
                                        .lexically_proximate(fs::absolute(folder).lexically_normal())
                                        .string()) +
-                       "\ncombine = \"zip\"\nleave_out = [\"frames\", \"pictures\", \"page\"]\n";
+                       fmt::format("\ncombine = \"zip\"\nleave_out = [{}]\n", fmt::join(left_out, ", "));
     for (const auto& [key, values] : study.columns)
         text += "\n[[vary]]\nkey = " + toml_quoted(key) + fmt::format("\nvalues = [{}]\n", fmt::join(values, ", "));
     return text;

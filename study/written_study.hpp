@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "study/run_output.hpp"
 #include "study/uses.hpp"
 
 namespace dmp::study {
@@ -15,8 +16,9 @@ namespace dmp::study {
 struct WrittenStudy {
     std::string comment;  ///< by whom, and what for; one line
     std::string title, purpose;
-    std::string scene;                                                      ///< its path
-    std::vector<std::pair<std::string, std::vector<std::string>>> columns;  ///< keys and their values, as TOML
+    std::string scene;                                                          ///< its path
+    LeftOut left_out{RunOutput::frames, RunOutput::pictures, RunOutput::page};  ///< by the runs
+    std::vector<std::pair<std::string, std::vector<std::string>>> columns;      ///< keys and their values, as TOML
 };
 
 /// "key" of "key=value", as given to --set.
@@ -26,7 +28,7 @@ struct WrittenStudy {
 /// a run's own.
 [[nodiscard]] std::map<std::string, std::string> values_set(const std::vector<std::string>& overrides);
 
-/// Its file, in `folder`. The runs leave out frames, pictures and pages.
+/// Its file, in `folder`.
 [[nodiscard]] std::string study_text(const WrittenStudy& study, const std::filesystem::path& folder);
 
 }  // namespace dmp::study

@@ -63,6 +63,7 @@ LimitsFacts::Dial found_of(const study::LimitStudy& study, std::size_t index, Ru
         found.bad = dial.rungs[bracket.bad - 1].value;
         found.bad_run = name_of(bracket.bad);
         found.cause = end.text;
+        found.likely_causes = end.likely_causes;
         found.distance = end.distance;
         found.column = end.column;
         if (bracket.is_settled()) found.way = way_of(end.way);
@@ -106,12 +107,13 @@ std::string limits_text(const LimitsFacts& limits) {
     const Style style(Stream::output);
     std::vector<std::vector<std::string>> rows{
         {"dial", "", "own", "stated", "last clean", "first bad", "margin", "ends"}};
-    for (const LimitsFacts::Dial& dial : limits.dials)
-        rows.push_back(
-            {dial.name, dial.is_up ? "up" : "down", limit_value_text(dial.own, dial.unit),
-             limit_value_text(dial.stated, dial.unit), limit_value_text(dial.clean, dial.unit),
-             limit_value_text(dial.bad, dial.unit), margin_text(dial.margin()),
-             limit_way_text(dial) + (dial.cause.empty() ? "" : ": " + shortened(dial.cause, longest_cause))});
+    for (const LimitsFacts::Dial& dial : limits.dials) {
+        const std::string& why = dial.likely_causes.empty() ? dial.cause : dial.likely_causes;
+        rows.push_back({dial.name, dial.is_up ? "up" : "down", limit_value_text(dial.own, dial.unit),
+                        limit_value_text(dial.stated, dial.unit), limit_value_text(dial.clean, dial.unit),
+                        limit_value_text(dial.bad, dial.unit), margin_text(dial.margin()),
+                        limit_way_text(dial) + (why.empty() ? "" : ": " + shortened(why, longest_cause))});
+    }
     std::string text = style.strong("Limits") + "\n" + table_text(rows);
     std::vector<std::vector<std::string>> measures{{"measure", "scatter", "departs above"}};
     for (const LimitsFacts::Column& column : limits.columns)

@@ -3,12 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <string_view>
 
 #include "base/errors.hpp"
+#include "base/safe_file.hpp"
+#include "base/text_lines.hpp"
 #include "base/unlisted_value.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/sweep/compared_columns.hpp"
 #include "cli/sweep/sweep_folder.hpp"
+#include "cli/terminal.hpp"
 #include "postproc/tables.hpp"
 #include "study/measure_columns.hpp"
 
@@ -19,6 +24,16 @@ namespace {
 RungWay way_of_failure(int exit_code) {
     if (exit_code == exit_diverged) return RungWay::breaks;
     return exit_code == exit_bad_input ? RungWay::refused : RungWay::failed;
+}
+
+/// As the stability monitor ranks them, in what a run said.
+std::string likely_causes_in(const std::filesystem::path& output) {
+    if (!std::filesystem::is_regular_file(output)) return "";
+    for (const std::string& line : text_lines(read_file(output)))
+        for (const std::string_view mark : {"likely causes: ", "likely cause: "})
+            if (const auto at = line.find(mark); at != std::string::npos)
+                return printable(std::string_view(line).substr(at + mark.size()), false);
+    return "";
 }
 
 study::SeriesError distance_of(const LimitColumn& column, const MeasureSeries& measures, const MeasureSeries& own) {
@@ -75,6 +90,7 @@ RungEnd RungEnds::end_of(std::size_t run) {
     if (row->failed()) {
         end.way = way_of_failure(row->exit_code);
         end.text = row->error;
+        end.likely_causes = likely_causes_in(run_output(rows_.folder().path(), row->run));
         return end;
     }
     end.way = RungWay::clean;

@@ -31,6 +31,7 @@ enum class RungWay {
 struct RungEnd {
     RungWay way = RungWay::unknown;
     std::string text;                    ///< what it said, of one that has failed
+    std::string likely_causes;           ///< that it named; "": none
     double distance = study::no_number;  ///< the largest of its measures' (study::SeriesError)
     std::string column;                  ///< which that is of
 

@@ -97,9 +97,11 @@ TEST_F(EndsOfRungs, AreNotKnownBeforeThatOfTheScenesOwnSettingsAndItsRepeat) {
 
 TEST_F(EndsOfRungs, OfTheScenesOwnSettingsMayBeAFailure) {
     add(0, 3, "the simulation diverged");
+    write_file(run_output("out", points_->at(0).name), "error: the simulation diverged\n  likely cause: the step\n");
     EXPECT_FALSE(ends().has_reference());
     EXPECT_EQ(ends().of(0).way, RungWay::breaks);
     EXPECT_EQ(ends().of(0).text, "the simulation diverged");
+    EXPECT_EQ(ends().of(0).likely_causes, "the step");
 }
 
 TEST_F(EndsOfRungs, DepartByTheMeasureThatIsFurthestFromWhatIsAllowed) {

@@ -66,6 +66,7 @@ LimitsFacts valve() {
     limits.dials[1].stated = 4.5;
     limits.dials[1].stated_by = "a formula";
     limits.dials[1].cause = "the fluid is <faster> than its sound";
+    limits.dials[1].likely_causes = "the step";
     limits.dials[1].set = {"a=\"4 m/s\""};
     return limits;
 }
@@ -159,7 +160,7 @@ TEST(SectionOfLimits, HasTheTableOfTheDialsAndOfTheMeasures) {
     EXPECT_THAT(html, AllOf(HasSubstr("<section id=\"limits\""), HasSubstr("<svg ")));
     EXPECT_THAT(html, HasSubstr("<th scope=\"row\">a</th><td>up</td><td>2 m/s</td><td>4.5 m/s</td><td>4 m/s</td>"
                                 "<td>5 m/s</td><td>2.5</td><td>breaks</td><td>what it is; stated: a formula; the fluid "
-                                "is &lt;faster&gt; than its sound</td>"));
+                                "is &lt;faster&gt; than its sound; likely causes: the step</td>"));
     EXPECT_THAT(html, HasSubstr("<td>departs: 12 % in flux</td>"));
     EXPECT_THAT(html, HasSubstr("<th scope=\"row\">flux</th><td>1 %</td><td>5 %</td>"));
     EXPECT_THAT(html, HasSubstr("<th scope=\"row\">gap</th><td>not known</td><td>not counted"));
