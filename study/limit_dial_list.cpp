@@ -18,7 +18,6 @@ using Keys = std::vector<DialKey>;
 using Found = std::vector<Keys>;
 
 const std::vector<DialSide> up{DialSide::up}, down{DialSide::down}, both{DialSide::up, DialSide::down};
-constexpr int rung_digits = 6;
 
 std::string with_unit(const std::string& number, const std::string& unit) {
     return unit.empty() ? number : toml_quoted(number + " " + unit);
@@ -83,13 +82,27 @@ double sound_limit_of(KernelKind kind) {
     unlisted_value(kind);
 }
 
-/// The step is step_factor R / (c0 + U); linear theory has c0 dt / R.
+/// c0 dt / R above which the corrected scheme is unstable, measured (docs/scheme.md): of liquids and walls, and where
+/// elastic nodes are as heavy as the liquid that they displace.
+constexpr double corrected_limit = 0.7, corrected_limit_with_elastic = 0.6;
+
+/// The step is step_factor R / (c0 + U).
 std::optional<StatedLimit> largest_step_factor(const DialScene& of) {
-    const double limit = *of.scene.dimension == 3 ? sound_limit_of<3>(of.scene.numerics.kernel)
-                                                  : sound_limit_of<2>(of.scene.numerics.kernel);
     const double c0 = of.facts.sound_speed;
-    return StatedLimit{limit * (c0 + of.facts.largest_speed) / c0,
-                       "c0 dt / R = " + number_text(limit, 3) + ", linear theory of the kernel"};
+    const auto at = [&](double limit, const std::string& source) {
+        return StatedLimit{limit * (c0 + of.facts.largest_speed) / c0,
+                           "c0 dt / R = " + number_text(limit, 3) + ", " + source};
+    };
+    switch (*of.scene.numerics.scheme) {
+        case FluidScheme::corrected:
+            return of.scene.may_have_elastic() ? at(corrected_limit_with_elastic, "measured, with elastic solids")
+                                               : at(corrected_limit, "measured");
+        case FluidScheme::plain:
+            return at(*of.scene.dimension == 3 ? sound_limit_of<3>(of.scene.numerics.kernel)
+                                               : sound_limit_of<2>(of.scene.numerics.kernel),
+                      "linear theory of the kernel");
+    }
+    unlisted_value(*of.scene.numerics.scheme);
 }
 
 /// The species' diffusivities, all by the same factor.

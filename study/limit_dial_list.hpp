@@ -10,6 +10,9 @@
 
 namespace dmp::study {
 
+/// Digits of a value that is given to a run.
+inline constexpr int rung_digits = 6;
+
 /// A scene and what its plan says.
 struct DialScene {
     const Scene& scene;

@@ -67,7 +67,9 @@ class Ladders {
     }
 
     static DialRung rung_at(const Dial& dial, double factor) {
-        DialRung rung{factor, dial.own() * factor, {}, 1};
+        // As it is written for the run.
+        const double value = std::stod(number_text(dial.own() * factor, rung_digits));
+        DialRung rung{value / dial.own(), value, {}, 1};
         for (const DialKey& key : dial.keys) rung.toml.push_back(key.toml(factor));
         return rung;
     }
@@ -99,7 +101,7 @@ class Ladders {
         }
         const double last = dial.rungs.empty() ? 1 : dial.rungs.back().factor;
         if (std::max(good / last, last / good) > nearly) add(dial, good);
-        if (!dial.stated) dial.stated = StatedLimit{dial.own() * good, dial.refused};
+        if (!dial.stated) dial.stated = StatedLimit{rung_at(dial, good).value, dial.refused};
         dial.end = "refused beyond: " + dial.refused;
     }
 
