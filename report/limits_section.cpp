@@ -16,9 +16,10 @@ using Dial = LimitsFacts::Dial;
 
 std::string remark_on(const Dial& dial) {
     std::string remark = dial.what;
-    if (dial.stated) remark += "; stated: " + dial.stated_by;
-    if (!dial.cause.empty()) remark += "; " + dial.cause;
-    if (!dial.likely_causes.empty()) remark += "; likely causes: " + dial.likely_causes;
+    if (dial.stated && dial.stated_by != dial.cause) remark += "; stated: " + dial.stated_by;
+    // What a run says of its particles is in the list of failed runs.
+    const std::string& why = dial.likely_causes.empty() ? dial.cause : dial.likely_causes;
+    if (!why.empty()) remark += "; " + why;
     return remark;
 }
 

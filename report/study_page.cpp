@@ -34,8 +34,20 @@ std::string title_of(const StudyFiles& study) {
     return study.facts.title.empty() ? study.folder.lexically_normal().filename().string() : study.facts.title;
 }
 
+/// Of a study of limits, which runs few of its runs.
+std::pair<std::string, std::string> state_of(const LimitsFacts& limits, std::size_t runs) {
+    const auto left =
+        static_cast<std::size_t>(std::ranges::count(limits.dials, LimitWay::not_measured, &LimitsFacts::Dial::way));
+    const std::string all = count(limits.dials.size(), "limit");
+    if (left > 0)
+        return {"interrupted", fmt::format("Not complete: {} of {} measured, by {}", limits.dials.size() - left, all,
+                                           count(runs, "run"))};
+    return {"complete", fmt::format("Complete: {} measured, by {}", all, count(runs, "run"))};
+}
+
 /// A class of page.css, and what to say.
 std::pair<std::string, std::string> state_of(const StudyFiles& study) {
+    if (study.limits) return state_of(*study.limits, study.rows.size());
     const std::size_t ended = study.rows.size(), failed = study.failed();
     const std::string but = failed == 0 ? "" : fmt::format(", {} failed", failed);
     if (ended < study.facts.runs)

@@ -13,6 +13,8 @@
 #include "report/limits_picture.hpp"
 #include "report/limits_section.hpp"
 #include "report/log_axis.hpp"
+#include "report/study_facts.hpp"
+#include "report/write_report.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
@@ -138,7 +140,7 @@ TEST(PictureOfLimits, HasARowForEachValueAndAMarkForEachSide) {
 
 TEST(PictureOfLimits, NothingInItIsMarkup) {
     LimitsFacts limits = valve();
-    limits.name = limits.dials[0].name = limits.dials[0].column = "<script>alert('x')</script>";
+    limits.name = limits.dials[0].name = limits.dials[0].column = limits.dials[0].cause = "<script>alert('x')</script>";
     EXPECT_THAT(limits_picture(limits), Not(HasSubstr("<script")));
     EXPECT_THAT(limits_section(limits), Not(HasSubstr("<script")));
 }
@@ -158,12 +160,28 @@ TEST(PictureOfLimits, OfNothingMeasuredHasAxes) {
 TEST(SectionOfLimits, HasTheTableOfTheDialsAndOfTheMeasures) {
     const std::string html = limits_section(valve());
     EXPECT_THAT(html, AllOf(HasSubstr("<section id=\"limits\""), HasSubstr("<svg ")));
-    EXPECT_THAT(html, HasSubstr("<th scope=\"row\">a</th><td>up</td><td>2 m/s</td><td>4.5 m/s</td><td>4 m/s</td>"
-                                "<td>5 m/s</td><td>2.5</td><td>breaks</td><td>what it is; stated: a formula; the fluid "
-                                "is &lt;faster&gt; than its sound; likely causes: the step</td>"));
+    EXPECT_THAT(html,
+                HasSubstr("<th scope=\"row\">a</th><td>up</td><td>2 m/s</td><td>4.5 m/s</td><td>4 m/s</td>"
+                          "<td>5 m/s</td><td>2.5</td><td>breaks</td><td>what it is; stated: a formula; the step</td>"));
     EXPECT_THAT(html, HasSubstr("<td>departs: 12 % in flux</td>"));
     EXPECT_THAT(html, HasSubstr("<th scope=\"row\">flux</th><td>1 %</td><td>5 %</td>"));
     EXPECT_THAT(html, HasSubstr("<th scope=\"row\">gap</th><td>not known</td><td>not counted"));
+}
+
+TEST_F(FolderOfLimits, SayOnThePageHowManyAreMeasured) {
+    StudyFacts facts;
+    facts.runs = 100;
+    write_study_facts(folder_.path(), facts);
+    const auto page_with = [&](const LimitsFacts& limits) {
+        write_limits_facts(folder_.path(), limits);
+        write_study_report(folder_.path());
+        return read_file(folder_.path() / report_file_name);
+    };
+    LimitsFacts limits = valve();
+    EXPECT_THAT(page_with(limits), AllOf(HasSubstr("Complete: 4 limits measured, by 0 runs"),
+                                         HasSubstr("<h2 id=\"limits-heading\">Limits</h2>")));
+    limits.dials[2].way = LimitWay::not_measured;
+    EXPECT_THAT(page_with(limits), HasSubstr("Not complete: 3 of 4 limits measured, by 0 runs"));
 }
 
 TEST(LogAxis, HasPlainNumbers) {
