@@ -120,7 +120,13 @@ TEST_F(Limits, KeepToTheirBudgetAndGoOnWithALargerOne) {
     const Outcome all = with({"--budget", "10 h", "--resume"});
     EXPECT_EQ(all.code, 0) << all.errors;
     EXPECT_THAT(all.output, Not(HasSubstr("Not done")));
-    EXPECT_NE(dial(result(), "numerics.step_factor", "up")["ends"], "not_measured");
+    const nlohmann::json step = dial(result(), "numerics.step_factor", "up");
+    EXPECT_NE(step["ends"], "not_measured");
+    const Outcome more = limits({"--dials", "mach_number", "--resume"});
+    EXPECT_EQ(more.code, 0) << more.errors;
+    EXPECT_THAT(result()["dials"], SizeIs(2)) << "those of both starts";
+    EXPECT_EQ(dial(result(), "numerics.step_factor", "up"), step);
+    EXPECT_EQ(dial(result(), "numerics.mach_number", "up")["stated"], 0.3);
 }
 
 TEST_F(Limits, OfASceneThatDoesNotRunSaySo) {
