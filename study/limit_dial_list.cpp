@@ -83,8 +83,8 @@ double sound_limit_of(KernelKind kind) {
 }
 
 /// c0 dt / R above which the corrected scheme is unstable, measured (docs/scheme.md): of liquids and walls, and where
-/// elastic nodes are as heavy as the liquid that they displace.
-constexpr double corrected_limit = 0.7, corrected_limit_with_elastic = 0.6;
+/// elastic nodes, stepped implicitly or sub-cycled, are as heavy as the liquid that they displace.
+constexpr double of_liquid = 0.7, of_elastic = 0.6, of_subcycled_elastic = 0.4;
 
 /// The step is step_factor R / (c0 + U).
 std::optional<StatedLimit> largest_step_factor(const DialScene& of) {
@@ -95,8 +95,10 @@ std::optional<StatedLimit> largest_step_factor(const DialScene& of) {
     };
     switch (*of.scene.numerics.scheme) {
         case FluidScheme::corrected:
-            return of.scene.may_have_elastic() ? at(corrected_limit_with_elastic, "measured, with elastic solids")
-                                               : at(corrected_limit, "measured");
+            if (!of.scene.may_have_elastic()) return at(of_liquid, "measured");
+            return *of.scene.numerics.spring_stepping == SpringStepping::subcycled
+                       ? at(of_subcycled_elastic, "measured, with sub-cycled elastic solids")
+                       : at(of_elastic, "measured, with elastic solids");
         case FluidScheme::plain:
             return at(*of.scene.dimension == 3 ? sound_limit_of<3>(of.scene.numerics.kernel)
                                                : sound_limit_of<2>(of.scene.numerics.kernel),

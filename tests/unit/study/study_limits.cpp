@@ -181,6 +181,8 @@ TEST(Ladders, EndWhereAnotherLimitRulesTheStep) {
     EXPECT_EQ(step.refused, "");
     ASSERT_TRUE(step.stated);
     EXPECT_NEAR(step.stated->value, 0.6 * 2.2 / 2, 1e-12) << "c0 dt / R = 0.6 with elastic solids";
+    const auto subcycled = dials_of(good_scene, near, {"numerics.spring_stepping=subcycled"});
+    EXPECT_NEAR(dial(subcycled, "numerics.step_factor", DialSide::up).stated->value, 0.4 * 2.2 / 2, 1e-12);
     const auto plain = dials_of(good_scene, near, {"numerics.scheme=plain", "numerics.kernel=wendland_c2"});
     EXPECT_NEAR(dial(plain, "numerics.step_factor", DialSide::up).stated->value, 0.878 * 2.2 / 2, 1e-12)
         << "by linear theory";
