@@ -35,6 +35,9 @@ std::string springs_text(const MeshReport::SpringLine& line) {
                            cells.poisson_ratio(), quantity_text(line.cells->stiffened * cells.edge_stiffness, "N/m"),
                            quantity_text(line.cells->stiffened * cells.diagonal_stiffness, "N/m"));
     }
+    if (line.elements)
+        return fmt::format("a solid of E {}, nu {:.3g}: {} ({})", quantity_text(line.elements->youngs_modulus, "Pa"),
+                           line.elements->poisson_ratio, count_text(line.elements->count, "cell"), line.elements->law);
     if (line.network)
         return fmt::format("a solid of E {}, nu {:.3g}; {} of k_b {} to {}",
                            quantity_text(line.network->youngs_modulus, "Pa"), NetworkConstants::poisson_ratio,

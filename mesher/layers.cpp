@@ -44,9 +44,7 @@ int LayerCount::behind(const Vec& point, int fluid) const {
 }
 
 bool LayerCount::is_near_a_body(const Vec& point) const {
-    const auto is_body = [&](int part) {
-        return set_.parts[static_cast<std::size_t>(part)].kind == PartKind::elastic;
-    };
+    const auto is_body = [&](int part) { return set_.parts[static_cast<std::size_t>(part)].kind == PartKind::elastic; };
     return nearest_part(point, 2, is_body) != none;
 }
 

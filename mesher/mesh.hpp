@@ -45,7 +45,7 @@ struct MeshReport {
         std::string part;
         int bodies = 0;
         std::size_t bonds = 0, hinges = 0, dihedrals = 0, anchored = 0;
-        /// Of a solid, in 3-D or in 2-D.
+        /// Of a solid of springs on cells, in 3-D or in 2-D.
         struct Cells {
             CellConstants constants;
             double stiffened = 1;  ///< see SolidBody
@@ -55,6 +55,15 @@ struct MeshReport {
             ShellConstants constants;
             double membrane_stiffness_asked = 0;  ///< E h [N/m]
         };
+        /// Of a solid of cells (elements), with a modulus and a Poisson's ratio.
+        struct Elements {
+            std::size_t count = 0, nodes = 0, cut = 0;  ///< cut: by the surface
+            double volume = 0, drawn = 0;               ///< of the cells, and of the part [m^3], in 2-D [m^2]
+            double youngs_modulus = 0;                  ///< [Pa]
+            double poisson_ratio = 0;
+            std::string law;
+        };
+        std::optional<Elements> elements;
         std::optional<Cells> cells;
         std::optional<Shell> shell;
         std::optional<NetworkConstants> network;  ///< of a solid with bonds_within

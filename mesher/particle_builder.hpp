@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/geometry.hpp"
@@ -10,6 +11,7 @@
 #include "mesher/lattice.hpp"
 #include "mesher/mesh.hpp"
 #include "mesher/nodes_of_bodies.hpp"
+#include "mesher/solid_cells.hpp"
 #include "mesher/uses.hpp"
 
 namespace dmp::mesher {
@@ -78,12 +80,13 @@ class ParticleBuilder {
         Projection surface;
     };
 
-    /// A region of springs.
+    /// A region of springs, or of cells.
     struct SpringSolid {
         const Part* part;
         InsideTest region;
-        std::vector<Vec> points;     ///< of the lattice that belong to whole cells
-        std::vector<bool> anchored;  ///< of each point
+        std::vector<Vec> points;          ///< of the lattice that belong to whole cells
+        std::vector<bool> anchored;       ///< of each point
+        std::optional<SolidCells> cells;  ///< where it is made of them; points are their centroids
     };
 
     int add_part(const Part& part, PartKind kind);
@@ -91,8 +94,13 @@ class ParticleBuilder {
     /// Within the drawn area of a solid of springs, also where no whole cell of it is.
     [[nodiscard]] bool is_in_a_solid(const Vec& point) const;
     void claim_solids();
+    /// The lattice points in the area that belong to whole cells of springs.
+    void claim_points(SpringSolid& solid);
+    void claim_cells(SpringSolid& solid, const Region& region);
     void add_solid(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
+    void add_cells(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
     void add_unbonded(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
+    void clamp_cells(const Part& part, SolidCells& cells) const;
     [[nodiscard]] std::vector<bool> anchored_nodes(const Part& part, const std::vector<Vec>& nodes) const;
     [[nodiscard]] Vec lattice_step() const { return {lattice_.step()[0], lattice_.step()[1], 0}; }
     void add_ladder(const Part& part, int part_number, const Polyline& curve, MeshReport::SpringLine& line);

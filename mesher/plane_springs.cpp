@@ -21,52 +21,65 @@ double angle_between(const Vec& a, const Vec& b) { return std::atan2(a[0] * b[1]
 
 }  // namespace
 
-/// Gives solids the lattice points in them that belong to whole cells, before fluids get theirs.
+/// Gives solids what is theirs, before fluids get theirs.
 void ParticleBuilder::claim_solids() {
     for (const Part* part : scene_.parts_of(PartKind::elastic)) {
         const Region* region = geometry_.region(part->name);
         if (region == nullptr) continue;
-        const bool on_cells = !part->bonds_within.given();
-        if (on_cells && *scene_.particles.arrangement != Arrangement::square)
-            throw InputError(
-                scene_.particles.arrangement.location,
-                "'" + part->name.value + "' is a solid of springs, whose cells are built on the square lattice only",
-                "write particles.arrangement = \"square\", or give the part bonds_within");
-        SpringSolid& solid = solids_.emplace_back(SpringSolid{part, InsideTest(*region), {}, {}});
-        // Of points on the border those on its low sides: as many rows as spacings.
-        const Vec a_little = 1e-6 * spacing_ * Vec(1, 0.618, 0);
-        const auto is_in = [&](const Vec& point) {
-            const Side side = solid.region.side_of(point);
-            return side == Side::inside ||
-                   (side == Side::on_edge && solid.region.side_of(point + a_little) == Side::inside);
-        };
-        for (const Vec& point : lattice_.points(0))
-            if (is_in(point) && !nodes_.any_near(point, 0.5 * spacing_)) solid.points.push_back(point);
-        const std::size_t there = solid.points.size();
-        if (on_cells && there > 0) {
-            const std::vector<bool> whole = in_whole_cells(solid.points, lattice_step(), 2);
-            std::size_t k = 0;
-            std::erase_if(solid.points, [&](const Vec&) { return !whole[k++]; });
+        SpringSolid& solid = solids_.emplace_back(SpringSolid{part, InsideTest(*region), {}, {}, {}});
+        switch (*part->model) {
+            case ElasticModel::springs:
+                claim_points(solid);
+                break;
+            case ElasticModel::cells:
+                claim_cells(solid, *region);
+                break;
         }
-        if (solid.points.empty())
-            throw InputError(
-                part->name.location,
-                "'" + part->name.value + "' is too thin for a solid of springs: no " + (on_cells ? "cell" : "point") +
-                    " of the lattice fits in it",
-                "refine particles.spacing to a third of its thickness, or draw its middle line as a curve, with "
-                "mass_per_length");
-        if (solid.points.size() < there)
-            result_.report.notes.push_back(part->name.value + ": " + std::to_string(there - solid.points.size()) +
-                                           " lattice points in it belong to no whole cell of springs and are left out");
-        solid.anchored = anchored_nodes(*part, solid.points);
         for (std::size_t n = 0; n < solid.points.size(); ++n)
             nodes_.add(solid.points[n], {.of_a_solid = true, .anchored = solid.anchored[n]});
         nodes_.sort(spacing_);
     }
 }
 
+void ParticleBuilder::claim_points(SpringSolid& solid) {
+    const Part* part = solid.part;
+    const bool on_cells = !part->bonds_within.given();
+    if (on_cells && *scene_.particles.arrangement != Arrangement::square)
+        throw InputError(
+            scene_.particles.arrangement.location,
+            "'" + part->name.value + "' is a solid of springs, whose cells are built on the square lattice only",
+            "write particles.arrangement = \"square\", or give the part bonds_within");
+    // Of points on the border those on its low sides: as many rows as spacings.
+    const Vec a_little = 1e-6 * spacing_ * Vec(1, 0.618, 0);
+    const auto is_in = [&](const Vec& point) {
+        const Side side = solid.region.side_of(point);
+        return side == Side::inside ||
+               (side == Side::on_edge && solid.region.side_of(point + a_little) == Side::inside);
+    };
+    for (const Vec& point : lattice_.points(0))
+        if (is_in(point) && !nodes_.any_near(point, 0.5 * spacing_)) solid.points.push_back(point);
+    const std::size_t there = solid.points.size();
+    if (on_cells && there > 0) {
+        const std::vector<bool> whole = in_whole_cells(solid.points, lattice_step(), 2);
+        std::size_t k = 0;
+        std::erase_if(solid.points, [&](const Vec&) { return !whole[k++]; });
+    }
+    if (solid.points.empty())
+        throw InputError(
+            part->name.location,
+            "'" + part->name.value + "' is too thin for a solid of springs: no " + (on_cells ? "cell" : "point") +
+                " of the lattice fits in it",
+            "refine particles.spacing to a third of its thickness, or draw its middle line as a curve, with "
+            "mass_per_length");
+    if (solid.points.size() < there)
+        result_.report.notes.push_back(part->name.value + ": " + std::to_string(there - solid.points.size()) +
+                                       " lattice points in it belong to no whole cell of springs and are left out");
+    solid.anchored = anchored_nodes(*part, solid.points);
+}
+
 void ParticleBuilder::add_solid(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line) {
     line.anchored = static_cast<std::size_t>(std::ranges::count(solid.anchored, true));
+    if (solid.cells) return add_cells(solid, part_number, line);
     if (solid.part->bonds_within.given()) return add_unbonded(solid, part_number, line);
     const SolidBody body = solid_body(*solid.part, solid.points, lattice_step(), 2);
     line.cells = {body.constants, body.stiffened};

@@ -116,6 +116,14 @@ std::string springs_text(const MeshReport::SpringLine& line) {
                    constants.poisson_ratio(), line.particle_mass, stiffened,
                    constants.dimension == 3 ? "volume" : "area", stiffened);
     }
+    if (line.elements) {
+        const MeshReport::SpringLine::Elements& of = *line.elements;
+        return fmt::format(
+            "cells of {}: {} {}, {} cells ({} cut by the surface) on {} nodes{}  give E = {:.4g} Pa, nu = {:.3g} ({}); "
+            "{:.6g} of the drawn volume; {:.4g} kg a whole cell\n",
+            line.part, line.bodies, line.bodies == 1 ? "body" : "bodies", of.count, of.cut, of.nodes, clamped,
+            of.youngs_modulus, of.poisson_ratio, of.law, of.volume / of.drawn, line.particle_mass);
+    }
     if (line.network)
         return head +
                fmt::format(

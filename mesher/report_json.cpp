@@ -81,6 +81,16 @@ Json json_of(const MeshReport::SpringLine& line) {
                      {"youngs_modulus_Pa", constants.youngs_modulus()},
                      {"poisson_ratio", constants.poisson_ratio()},
                      {"stiffened", stiffened}});
+    } else if (line.elements) {
+        const MeshReport::SpringLine::Elements& of = *line.elements;
+        json.update({{"form", "cells"},
+                     {"cells", of.count},
+                     {"cell_nodes", of.nodes},
+                     {"cut", of.cut},
+                     {"volume_over_drawn", of.volume / of.drawn},
+                     {"youngs_modulus_Pa", of.youngs_modulus},
+                     {"poisson_ratio", of.poisson_ratio},
+                     {"law", of.law}});
     } else if (line.network) {
         json.update({{"form", "network"},
                      {"softest_bond_N_per_m", line.network->softest},

@@ -10,6 +10,7 @@
 #include "geometry/nearest_triangle.hpp"
 #include "mesher/fit_particles.hpp"
 #include "mesher/mesh.hpp"
+#include "mesher/solid_cells.hpp"
 #include "mesher/space_lattice.hpp"
 #include "mesher/spring_bodies.hpp"
 #include "mesher/uses.hpp"
@@ -86,6 +87,7 @@ class SpaceBuilder {
     struct SpringSolid {
         const Part* part;
         std::vector<Vec> points;
+        std::optional<SolidCells> cells{};  ///< where it is made of them
     };
     /// A solid of springs that is a sheet: it becomes a shell.
     struct ThinSolid {
@@ -98,6 +100,10 @@ class SpaceBuilder {
     std::size_t claim(const TriangleSurface& solid, std::int16_t owner);
     std::size_t claim_by_vote(const TriangleSurface& solid, std::int16_t owner);
     void claim_elastic(const Part& part, const Solid& solid);
+    void claim_points(const Part& part, const Solid& solid);
+    void claim_cells(const Part& part, const Solid& solid);
+    void clamp_cells(const Part& part, SolidCells& cells) const;
+    void add_cells(SpringSolid& solid, int part, MeshReport::SpringLine& line);
     /// False where the solid is thick enough for cells; throws InputError where it is thin, and no sheet.
     bool take_as_sheet(const Part& part, const Solid& solid);
     void clear_for_shell(const TriangleSurface& sheet);

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/length_text.hpp"
+#include "base/unlisted_value.hpp"
 #include "geometry/local_thickness.hpp"
 #include "geometry/mid_surface.hpp"
 #include "geometry/surface_pieces.hpp"
@@ -69,8 +70,18 @@ bool SpaceBuilder::take_as_sheet(const Part& part, const Solid& solid) {
     return true;
 }
 
-/// Takes the lattice points inside the solid that belong to whole cells; the others stay for what is drawn there too.
 void SpaceBuilder::claim_elastic(const Part& part, const Solid& solid) {
+    switch (*part.model) {
+        case ElasticModel::springs:
+            return claim_points(part, solid);
+        case ElasticModel::cells:
+            return claim_cells(part, solid);
+    }
+    unlisted_value(*part.model);
+}
+
+/// Takes the lattice points inside the solid that belong to whole cells; the others stay for what is drawn there too.
+void SpaceBuilder::claim_points(const Part& part, const Solid& solid) {
     const bool on_cells = !part.bonds_within.given();
     if (on_cells && *scene_.particles.arrangement != Arrangement::square)
         throw InputError(
@@ -158,6 +169,12 @@ void SpaceBuilder::add_elastic(const Part& part) {
     line.part = part.name;
     const std::size_t first = set.size();
     const auto solid = std::ranges::find(spring_solids_, &part, &SpringSolid::part);
+    if (solid != spring_solids_.end() && solid->cells) {
+        add_cells(*solid, number, line);
+        note_open_ends(set, first, part.name, result_.report.notes);
+        result_.report.springs.push_back(line);
+        return;
+    }
     if (solid != spring_solids_.end() && part.bonds_within.given()) {
         // bond_solids() bonds them once they are where they stay.
         line.particle_mass = lattice_->cell_volume() * part.density;

@@ -2,6 +2,7 @@
 //
 // The descriptions of all laws from which scenes choose.
 #include "models/dem/contact_laws.hpp"
+#include "models/elastic/elastic_laws.hpp"
 #include "models/sph/liquid_state.hpp"
 #include "models/sph/viscous_laws.hpp"
 
@@ -20,6 +21,7 @@ template const std::array<LawFacts, RollingLaws::size>& RollingLaws::facts();
 template const std::array<LawFacts, AdhesionLaws::size>& AdhesionLaws::facts();
 template const std::array<LawFacts, ViscousLaws::size>& ViscousLaws::facts();
 template const std::array<LawFacts, EquationsOfState::size>& EquationsOfState::facts();
+template const std::array<LawFacts, ElasticLaws::size>& ElasticLaws::facts();
 // clang-format on
 
 }  // namespace dmp::models

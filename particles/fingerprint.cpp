@@ -93,6 +93,22 @@ void add_springs(Hash& hash, const ParticleSet& set) {
     }
 }
 
+/// Nothing where there are none, so that sets without cells keep the fingerprint they always had.
+void add_cells(Hash& hash, const ParticleSet& set) {
+    if (set.cells.empty()) return;
+    hash.add(set.cell_nodes.size());
+    for (const CellNode& node : set.cell_nodes) {
+        hash.add(node.position);
+        hash.add(node.fixed);
+    }
+    hash.add(set.cells.size());
+    for (const SolidCell& cell : set.cells) {
+        hash.add(cell.particle);
+        for (const int node : cell.node) hash.add(node);
+        for (const Vec& vector : {cell.size, cell.centroid, cell.moment}) hash.add(vector);
+    }
+}
+
 }  // namespace
 
 std::string fingerprint(const ParticleSet& set) {
@@ -108,6 +124,7 @@ std::string fingerprint(const ParticleSet& set) {
     hash.add_all(set.wall_distance);
     hash.add_all(set.radius);
     add_springs(hash, set);
+    add_cells(hash, set);
     return hash.text();
 }
 

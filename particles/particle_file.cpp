@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/sealed_file.hpp"
+#include "particles/cells_in_file.hpp"
 
 namespace dmp::particles {
 
@@ -140,7 +141,7 @@ std::string problem_with(const ParticleSet& set) {
         if (!finite(dihedral.rest_angle) || !finite(dihedral.stiffness))
             return of("dihedral", n) + ": its rest_angle or stiffness is not finite";
     }
-    return "";
+    return problem_with_cells(set);
 }
 
 /// One member of each bond, hinge or dihedral.
@@ -366,6 +367,7 @@ void write_particles(const fs::path& file, const ParticleSet& particles, std::sp
     write_walls(writer.contents(), particles);
     write_arrays(writer.contents(), particles);
     write_springs(writer.contents(), particles);
+    write_cells(writer.contents(), particles);
     if (!made_from.empty()) writer.contents().write_texts("made_from", made_from);
     writer.finish();
 }
@@ -378,6 +380,7 @@ StoredParticles read_particle_file(const fs::path& file) {
     read_walls(from, stored.particles);
     read_arrays(from, stored.particles);
     read_springs(from, stored.particles);
+    read_cells(from, stored.particles);
     const std::string problem = problem_with(stored.particles);
     if (!problem.empty()) from.refuse(problem);
     if (from.has("made_from")) stored.made_from = from.texts("made_from");

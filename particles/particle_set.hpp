@@ -36,6 +36,23 @@ struct Dihedral {
     double stiffness = 0;   ///< k_d [J]
 };
 
+/// A node of elastic cells: no particle.
+struct CellNode {
+    Vec position = Vec::Zero();  ///< at rest [m]
+    bool fixed = false;          ///< clamped
+};
+
+/// A particle that is a cell of an elastic solid: a box, of which the solid fills the particle's volume, between nodes
+/// on its corners (docs/elastic.md). Its particle is at the solid's centroid. Corner k is moved along axis i of the box
+/// where bit i of k is set; in 2-D there are four.
+struct SolidCell {
+    int particle = 0;
+    std::array<int, 8> node{};   ///< indices into cell_nodes
+    Vec size = Vec::Zero();      ///< of the box along its axes [m]
+    Vec centroid = Vec::Zero();  ///< of the solid, from the middle of the box, along its axes [m]
+    Vec moment = Vec::Zero();    ///< mean of (X_i - centroid_i)^2 in the solid, by axis [m^2]
+};
+
 /// A flat wall without an end, for spheres: they touch it from the side its normal points to.
 struct WallPlane {
     int part = 0;               ///< index into parts
@@ -102,6 +119,8 @@ struct ParticleSet : ParticleSpace {
     std::vector<Bond> bonds;
     std::vector<Hinge> hinges;
     std::vector<Dihedral> dihedrals;  ///< 3-D only
+    std::vector<CellNode> cell_nodes;
+    std::vector<SolidCell> cells;
 
     [[nodiscard]] std::size_t size() const { return position.size(); }
     [[nodiscard]] PartKind kind(std::size_t i) const { return parts[static_cast<std::size_t>(part[i])].kind; }

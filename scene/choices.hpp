@@ -7,6 +7,7 @@
 #include "base/enum_names.hpp"
 #include "base/part_kind.hpp"
 #include "models/dem/contact_law_list.hpp"
+#include "models/elastic/elastic_law_list.hpp"
 #include "models/solidify/activity.hpp"
 #include "models/sph/fluid_law_list.hpp"
 #include "scene/uses.hpp"
@@ -37,6 +38,8 @@ enum class WallModel { extrapolated, plain };
 enum class FluidScheme { corrected, plain };
 enum class DensityModel { continuity, summation };
 enum class ViscosityMean { harmonic, arithmetic };
+/// What an elastic area or volume is made of (docs/elastic.md).
+enum class ElasticModel { springs, cells };
 enum class SpringStepping { implicit, subcycled };
 enum class ViscosityStepping { explicitly, implicitly };
 enum class SpeciesStepping { explicitly, implicitly };
@@ -116,6 +119,8 @@ template <>
 inline constexpr auto enum_names<scene::DensityModel> = std::to_array<std::string_view>({"continuity", "summation"});
 template <>
 inline constexpr auto enum_names<scene::ViscosityMean> = std::to_array<std::string_view>({"harmonic", "arithmetic"});
+template <>
+inline constexpr auto enum_names<scene::ElasticModel> = std::to_array<std::string_view>({"springs", "cells"});
 template <>
 inline constexpr auto enum_names<scene::SpringStepping> = std::to_array<std::string_view>({"implicit", "subcycled"});
 template <>

@@ -37,6 +37,8 @@ struct Part {
     [[nodiscard]] bool moves() const;           ///< whether the part has a velocity or spin
 
     // elastic
+    Value<ElasticModel> model = ElasticModel::springs;  ///< of an area in 2-D and a volume in 3-D
+    Value<ElasticLaw> elastic_law = ElasticLaw::of<models::SaintVenantKirchhoff>();  ///< of cells
     Value<double> bending_stiffness;           ///< EI [N m^2]; 0: from youngs_modulus
     Value<double> axial_stiffness;             ///< EA [N]; 0: from youngs_modulus
     Value<double> shear_stiffness;             ///< GA [N]; 0: follows from the lattice
@@ -48,9 +50,10 @@ struct Part {
     Value<double> bonds_within;                ///< solid: bonds up to this length, instead of cells [m]
     Value<double> mass_per_length;             ///< [kg/m]
     Value<std::string> anchor;                 ///< name in the geometry of what the part is clamped to; empty: free
-    Value<double> bond_damping = 0.01;         ///< dashpot of each bond and hinge, fraction of critical damping [-]
-    Value<double> drag = 0.0;                  ///< lab-frame drag per particle, F = -drag v [kg/s] (as in the thesis)
-    Value<double> mass_damping = 0.0;          ///< lab-frame drag per mass, F = -mass_damping m v [1/s]
+    /// Dashpot of each bond and hinge, or viscosity of cells, fraction of critical damping [-].
+    Value<double> bond_damping = 0.01;
+    Value<double> drag = 0.0;          ///< lab-frame drag per particle, F = -drag v [kg/s] (as in the thesis)
+    Value<double> mass_damping = 0.0;  ///< lab-frame drag per mass, F = -mass_damping m v [1/s]
 
     // spheres (3-D only); also density, youngs_modulus and poisson_ratio above
     Value<std::vector<double>> radius;  ///< one for all, or one for each of `centres`; empty: in `positions` [m]

@@ -138,6 +138,11 @@ std::vector<Key<Part>> part_keys() {
         {"density", springs, &Part::density, quantity("1100 kg/m^3", positive), not_given,
          "Density of the material, in 3-D and for an area in 2-D; a strip (a curve in 2-D) takes mass_per_length "
          "instead."},
+        {"model", springs, &Part::model, one_of<ElasticModel>(), not_given,
+         "What an area in 2-D, or a volume in 3-D, of an elastic solid is made of: \"springs\" between its particles (without this key), or "
+         "\"cells\", finite elements that have any Poisson's ratio below 0.5 and bend right with two particles across."},
+        {"elastic_law", springs, &Part::elastic_law, one_of<ElasticLaw>(), not_given,
+         "Law of a solid of cells; without this key that of Saint Venant and Kirchhoff."},
         {"bending_stiffness", springs, &Part::bending_stiffness, quantity("3e-6 N*m^2", positive), not_given,
          "Bending stiffness EI of a strip 1 m deep. Give it with axial_stiffness, or give youngs_modulus and "
          "thickness instead."},
@@ -153,7 +158,8 @@ std::vector<Key<Part>> part_keys() {
          "Thickness h of a strip, with youngs_modulus, or of a surface in 3-D, which becomes a shell."},
         {"poisson_ratio", springs, &Part::poisson_ratio, number(between(0, 0.5)), not_given,
          "Poisson's ratio nu, with youngs_modulus. A strip with nu is in plane strain (its depth is held); without "
-         "nu, or with 0, its depth is free to change. A solid takes 0 to 0.25; 0.25 is fastest."},
+         "nu, or with 0, its depth is free to change. A solid of springs takes 0 to 0.25, and 0.25 is fastest; one of cells "
+         "takes 0 to less than 0.5."},
         {"lower_axial_stiffness", springs, &Part::lower_axial_stiffness, boolean(), "true",
          "Whether EA (of a shell: E h) may be lowered, or raised with cross_bonds, where the lattice cannot provide "
          "it together with EI (of a shell: D) at this spacing. false makes this an error."},
@@ -170,7 +176,8 @@ std::vector<Key<Part>> part_keys() {
          "the points, or where its ends lie on the curve; an area or solid at all nodes next to it; a shell along "
          "the edge that touches it. Without anchor the part is free."},
         {"bond_damping", springs, &Part::bond_damping, number(between(0, 1)), "0.01",
-         "Dashpot of each bond and hinge, as a fraction of critical damping."},
+         "Dashpot of each bond and hinge, as a fraction of critical damping; of cells the same fraction at the highest "
+         "frequency of the lattice."},
         {"drag", springs, &Part::drag, quantity("1e-6 kg/s", not_negative), "0",
          "Linear drag in the lab frame; the force on each particle is -drag * velocity, so that the drag of the whole "
          "part depends on the spacing."},

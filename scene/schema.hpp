@@ -82,6 +82,8 @@ void assign(T& member, T value, const SourceLocation& /*not stored by a plain me
 template <class T>
 bool is_nothing(const T& value) {
     if constexpr (std::is_arithmetic_v<T> || std::same_as<T, std::string>) return value == T{};
+    // The first value of an enumeration, or the first law of a registry.
+    if constexpr (std::is_enum_v<T> || requires { typename T::Registry; }) return value == T{};
     if constexpr (std::same_as<T, Expression>) return value.is_zero();
     if constexpr (std::same_as<T, Vec>) return value == Vec::Zero();
     if constexpr (std::same_as<T, std::array<Expression, 3>>)

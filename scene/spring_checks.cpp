@@ -97,6 +97,49 @@ void check_elastic_material(const Scene& scene, const Part& part) {
     need(part.youngs_modulus.given(), "youngs_modulus", "2 MPa");
 }
 
+/// Cells are for areas and volumes, and stand alone: nothing is bonded to them yet, and they do not break.
+void check_cells(const Scene& scene, const Part& part) {
+    const std::string part_name = "part '" + *part.name + "'";
+    const auto use_springs = [](const std::string& key) { return "write model = \"springs\", or leave out " + key; };
+    switch (*part.model) {
+        case ElasticModel::springs:
+            if (part.elastic_law.given())
+                throw InputError(part.elastic_law.location, part_name + ": elastic_law is for solids of cells",
+                                 "write model = \"cells\", or leave out elastic_law");
+            return;
+        case ElasticModel::cells:
+            break;
+    }
+    if (scene.dimension == 2 && !part.density.given())
+        throw InputError(part.model.location, part_name + " is a strip, and model = \"cells\" is for areas",
+                         "leave out model, or draw the part as an area, with density");
+    if (part.thickness.given())
+        throw InputError(part.model.location, part_name + " is a shell, and model = \"cells\" is for volumes",
+                         "leave out model, or draw the part as a volume, without thickness");
+    if (part.bonds_within.given())
+        throw InputError(part.bonds_within.location, part_name + ": bonds_within is for solids of springs",
+                         use_springs("bonds_within"));
+    if (*part.poisson_ratio >= 0.5)
+        throw InputError(part.poisson_ratio.location, part_name + ": a Poisson's ratio of 0.5 cannot be reached",
+                         "write 0.49 for a solid that keeps its volume");
+    for (const Join* join : scene.joins_of_enabled())
+        for (const std::string& joined : *join->parts)
+            if (joined == *part.name)
+                throw InputError(join->parts.location,
+                                 "'" + *join->name + "' joins '" + joined + "', a solid of cells, which takes no bonds",
+                                 use_springs("the [[join]]"));
+    if (scene.changes_bodies())
+        throw InputError(
+            part.model.location,
+            part_name + " is made of cells, and bonds form or break in this scene ([[solidify]], [[break]])",
+            "write model = \"springs\"");
+    if (*scene.numerics.viscosity_stepping == ViscosityStepping::implicitly)
+        throw InputError(
+            part.model.location,
+            part_name + " is made of cells, which numerics.viscosity_stepping = \"implicit\" does not move",
+            "write model = \"springs\", or viscosity_stepping = \"explicit\"");
+}
+
 }  // namespace
 
 void check_elastic(const Scene& scene) {
@@ -104,6 +147,7 @@ void check_elastic(const Scene& scene) {
         if (*part.kind == PartKind::elastic) {
             check_bonds_within(scene, part);
             check_elastic_material(scene, part);
+            check_cells(scene, part);
         }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <stdexcept>
 #include <unordered_map>
 
 #include "base/disjoint_sets.hpp"
@@ -59,7 +60,7 @@ class Graph {
     /// Returns the origin of the bond, or -1 if there is none.
     int cut(const std::array<int, 2>& ids) {
         const Ends ends = in_order(number_.at(ids[0]), number_.at(ids[1]));
-        auto& [nodes, bonds, hinges, dihedrals, held_apart] = all_;  // all: one more does not compile
+        auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = all_;  // all: one more does not compile
         const auto found =
             std::ranges::find_if(bonds, [&](const auto& bond) { return in_order(bond.node[0], bond.node[1]) == ends; });
         if (found == bonds.end()) return -1;
@@ -86,7 +87,7 @@ class Graph {
             for (const auto& spring : springs)
                 for (const int node : spring.node) together.join(node, spring.node[0]);
         };
-        const auto& [nodes, bonds, hinges, dihedrals, held_apart] = all_;
+        const auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = all_;
         join(bonds);
         join(hinges);
         join(dihedrals);
@@ -128,6 +129,7 @@ class Graph {
 
   private:
     void append(const BodyParts& body) {
+        if (!body.cells.empty()) throw std::logic_error("bodies of cells are neither cut nor joined");
         const int first = static_cast<int>(all_.nodes.size());
         const int own = static_cast<int>(members_.size());
         members_.emplace_back();
@@ -144,7 +146,7 @@ class Graph {
                 to.push_back(spring);
             }
         };
-        const auto& [nodes, bonds, hinges, dihedrals, held_apart] = body;
+        const auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = body;
         add(all_.bonds, bonds);
         add(all_.hinges, hinges);
         add(all_.dihedrals, dihedrals);

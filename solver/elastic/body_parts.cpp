@@ -23,6 +23,15 @@ std::vector<std::string> body_names(const Scene& scene) {
     return names;
 }
 
+namespace {
+
+InitialSprings::Source source_of(const Part& part, int origin) {
+    return {origin,           part.bond_damping,   part.drag,         part.mass_damping,
+            part.elastic_law, part.youngs_modulus, part.poisson_ratio};
+}
+
+}  // namespace
+
 InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene, double liquid_density)
     : of_part(set.parts.size()) {
     const auto parts = scene.parts_of(PartKind::elastic);
@@ -33,8 +42,7 @@ InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene, doubl
         if (part == parts.end())
             throw InputError("the particles have an elastic solid '" + name + "' that is not in the scene",
                              "mesh the scene again");
-        of_part[number] = {static_cast<int>(part - parts.begin()), (*part)->bond_damping, (*part)->drag,
-                           (*part)->mass_damping};
+        of_part[number] = source_of(**part, static_cast<int>(part - parts.begin()));
     }
     node_mass = node_masses(scene, set, liquid_density);  // of parts that are known to be in the scene
     const auto joins = scene.joins_of_enabled();
@@ -46,7 +54,7 @@ InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene, doubl
 }
 
 InitialSprings::InitialSprings(const ParticleSet& set, const Part& part)
-    : of_part(set.parts.size(), {0, part.bond_damping, part.drag, part.mass_damping}), node_mass(set.mass) {}
+    : of_part(set.parts.size(), source_of(part, 0)), node_mass(set.mass) {}
 
 namespace {
 
@@ -187,9 +195,12 @@ bool joins_own_nodes(const BodyParts& body) {
     const auto all_own = [&](const auto& springs) {
         return std::ranges::all_of(springs, [&](const auto& spring) { return std::ranges::all_of(spring.node, own); });
     };
-    const auto& [nodes, bonds, hinges, dihedrals, held_apart] = body;  // all: one more does not compile
-    return all_own(bonds) && all_own(hinges) && all_own(dihedrals) &&
-           std::ranges::all_of(held_apart, [&](const auto& pair) { return own(pair.first) && own(pair.second); });
+    const auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = body;  // all: one more does not compile
+    const std::size_t particles = cells.empty() ? nodes.size() : cells.size();
+    const auto is_particle = [&](int k) { return k >= 0 && static_cast<std::size_t>(k) < particles; };
+    return all_own(bonds) && all_own(hinges) && all_own(dihedrals) && all_own(cells) &&
+           std::ranges::all_of(held_apart,
+                               [&](const auto& pair) { return is_particle(pair.first) && is_particle(pair.second); });
 }
 
 }  // namespace
@@ -209,7 +220,7 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
     };
     if (file.loading()) bodies.clear();
     through.list(bodies, [&](BodyParts& body) {
-        auto& [nodes, bonds, hinges, dihedrals, held_apart] = body;
+        auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = body;
         through.list(nodes, [&](BodyParts::Node& node) {
             through(node.id);
             through(node.fixed);
@@ -223,6 +234,20 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
         springs(bonds);
         springs(hinges);
         springs(dihedrals);
+        through.list(cells, [&](BodyParts::Cell& cell) {
+            through(cell.id);
+            for (int& node : cell.node) through(node);
+            for (Vec* vector : {&cell.size, &cell.centroid, &cell.moment}) through(*vector);
+            auto law = static_cast<int>(cell.law.number());
+            through(law);
+            if (law < 0 || static_cast<std::size_t>(law) >= ElasticLaw::Registry::size)
+                throw unlike_any_run("a law of elastic solids that there is not");
+            cell.law = ElasticLaw(static_cast<std::size_t>(law));
+            for (double* number :
+                 {&cell.volume, &cell.mass, &cell.youngs_modulus, &cell.poisson_ratio, &cell.relaxation})
+                through(*number);
+            through(cell.origin);
+        });
         through.list(held_apart, [&](std::pair<int, int>& pair) {
             through(pair.first);
             through(pair.second);

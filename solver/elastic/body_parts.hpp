@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "models/elastic/elastic_law_list.hpp"
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/state/archive.hpp"
@@ -12,8 +13,8 @@
 
 namespace dmp::solver {
 
-/// An elastic body as plain values, with nodes numbered from 0. SpringBody is made from it, and bodies are cut and
-/// joined in this form (BodyChange). Positions are never wrapped.
+/// An elastic body as plain values, with nodes numbered from 0: springs between its nodes, or cells. SpringBody is made
+/// from it, and bodies of springs are cut and joined in this form (BodyChange). Positions are never wrapped.
 struct BodyParts {
     struct Node {
         int id = 0;            ///< of the particle
@@ -34,12 +35,29 @@ struct BodyParts {
         int origin = 0;        ///< as for a node
     };
 
+    /// A cell of a solid between nodes that are no particles (Node::id -1); the cell is the particle.
+    struct Cell {
+        int id = 0;                  ///< of the particle
+        std::array<int, 8> node{};   ///< corners, as in SolidCell
+        Vec size = Vec::Zero();      ///< [m]
+        Vec centroid = Vec::Zero();  ///< from the middle of the cell [m]
+        Vec moment = Vec::Zero();    ///< [m^2]
+        double volume = 0;           ///< of solid in it [m^3], in 2-D [m^2]
+        double mass = 0;             ///< [kg]
+        ElasticLaw law;
+        double youngs_modulus = 0;  ///< [Pa]
+        double poisson_ratio = 0;
+        double relaxation = 0;  ///< of its damping: viscous over elastic moduli [s]
+        int origin = 0;         ///< as for a node
+    };
+
     std::vector<Node> nodes;
     std::vector<Spring<2>> bonds;
     std::vector<Spring<3>> hinges;
     std::vector<Spring<4>> dihedrals;
-    /// Pairs of nodes whose distance their springs control: contact ignores them. Sorted, with the lower number
-    /// first.
+    std::vector<Cell> cells;
+    /// Pairs of particles (nodes, or cells where there are any) whose distance the body controls: contact ignores them.
+    /// Sorted, with the lower number first.
     std::vector<std::pair<int, int>> held_apart;
 };
 
@@ -54,6 +72,8 @@ struct InitialSprings {
         double damping = 0;       ///< dashpots, fraction of critical [-]
         double drag = 0;          ///< lab-frame drag of a node [kg/s]
         double mass_damping = 0;  ///< and of a node's mass [1/s]
+        ElasticLaw law{};         ///< of cells
+        double youngs_modulus = 0, poisson_ratio = 0;
         [[nodiscard]] double drag_of(double mass) const { return drag + mass_damping * mass; }
     };
     std::vector<Source> of_part;    ///< by part number of the particle set
@@ -70,6 +90,11 @@ struct InitialSprings {
 /// The initial body of this number, with the springs between its nodes and the wall particles bonded to it.
 /// `contact_range` [m], 0: none. Throws InputError for a body with dihedrals in 2-D.
 BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int body, double contact_range);
+
+/// By number of a body: whether it consists of cells.
+std::vector<bool> bodies_of_cells(const ParticleSet& set);
+/// The same of a body that consists of cells, in the order in which the set has them.
+BodyParts initial_cells(const ParticleSet& set, const InitialSprings& drawn, int body, double contact_range);
 
 /// Saves bodies to a checkpoint or loads them from one.
 void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bodies);

@@ -64,7 +64,9 @@ void SpringNetwork<D>::archive(Archive& file, const std::string& name) {
 
 template <int D>
 void SpringNetwork<D>::advance_in_parts(double dt, int halvings_left, Impulses& impulses) {
+    crushed_at_.reset();
     if (solve_step(dt, impulses)) return;
+    if (halvings_left == 0) refuse_crushed_cells();
     if (halvings_left == 0)
         throw DivergenceError("the load on an elastic body near (" + std::to_string(position_[0][0]) + ", " +
                                   std::to_string(position_[0][1]) +

@@ -26,10 +26,12 @@ SpringNetwork<D>::ImplicitSystem::ImplicitSystem(const SpringNetwork& body) {
             }
     };
     for (int node = 0; node < static_cast<int>(unknown_.size()); ++node) couple(node, node);
-    body.for_each_spring([&](const auto& spring) {
-        for (std::size_t a = 0; a < spring.node.size(); ++a)
-            for (std::size_t b = 0; b < a; ++b) couple(spring.node[a], spring.node[b]);
-    });
+    const auto couple_all = [&](const auto& each) {
+        for (std::size_t a = 0; a < each.node.size(); ++a)
+            for (std::size_t b = 0; b < a; ++b) couple(each.node[a], each.node[b]);
+    };
+    body.for_each_spring(couple_all);
+    for (const LocalCell<D>& cell : body.cells_) couple_all(cell);
     matrix_.resize(unknowns, unknowns);
     matrix_.setFromTriplets(pattern.begin(), pattern.end());
     matrix_.makeCompressed();
@@ -63,6 +65,20 @@ void SpringNetwork<D>::ImplicitSystem::add(const LocalSpring<Law>& spring, const
 }
 
 template <int D>
+void SpringNetwork<D>::ImplicitSystem::add(const LocalCell<D>& cell,
+                                           const typename LocalCell<D>::Element::Square& stiffness) {
+    constexpr int corners = LocalCell<D>::Element::corners;
+    for (int a = 0; a < corners; ++a)
+        for (int b = 0; b < corners; ++b) {
+            const int row = unknown_[cell.node[a]], column = unknown_[cell.node[b]];
+            if (row < 0 || column < 0) continue;
+            for (int i = 0; i < D; ++i)
+                for (int j = 0; j < D; ++j)
+                    if (row + i >= column + j) entry(row + i, column + j) += stiffness(a * D + i, b * D + j);
+        }
+}
+
+template <int D>
 void SpringNetwork<D>::ImplicitSystem::factorise(const SpringNetwork& body, const Vectors& position, double dt,
                                                  std::span<const Vec> more) {
     dt_ = dt;
@@ -78,6 +94,8 @@ void SpringNetwork<D>::ImplicitSystem::factorise(const SpringNetwork& body, cons
         spring.law.extra_stiffness(arms,
                                    [&](double weight, const auto& slope) { add(spring, slope, dt * dt / 4 * weight); });
     });
+    for (const LocalCell<D>& cell : body.cells_)
+        add(cell, cell.stiffness(cell.of(position), dt * dt / 4, dt / 2 * cell.relaxation));
     if (more.empty()) {
         solver_.factorize(matrix_);
     } else {

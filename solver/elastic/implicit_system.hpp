@@ -13,8 +13,8 @@ namespace dmp::solver {
 /// The matrix of one implicit midpoint step of an elastic body, for the velocities of its free nodes at mid-step:
 ///   A = M + dt/2 (C + k_v) + dt^2/4 K
 /// K and C include each spring along the gradient of its length or angle (Gauss-Newton), and K the lateral stiffness
-/// of springs under tension: all terms of the exact stiffness that are guaranteed to be positive, so that A is
-/// symmetric and positive definite in any state. It is factorised again only when corrections no longer converge
+/// of springs and cells under tension: all terms of the exact stiffness that are guaranteed to be positive, so that A
+/// is symmetric and positive definite in any state. It is factorised again only when corrections no longer converge
 /// fast.
 template <int D>
 class SpringNetwork<D>::ImplicitSystem {
@@ -44,6 +44,7 @@ class SpringNetwork<D>::ImplicitSystem {
     /// A += weight g g^T for the slope g of a length or an angle along the arms of a spring.
     template <class Law, class Slope>
     void add(const LocalSpring<Law>& spring, const Slope& slope, double weight);
+    void add(const LocalCell<D>& cell, const typename LocalCell<D>::Element::Square& stiffness);
     [[nodiscard]] double& entry(int row, int column);
     template <class Map>
     void change(std::span<Vec> values, double scale, const Map& map) const;

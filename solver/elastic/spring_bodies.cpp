@@ -40,8 +40,11 @@ SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ran
       step_factor_(scene.numerics.spring_step_factor) {
     const int count = set.body.empty() ? 0 : *std::max_element(set.body.begin(), set.body.end()) + 1;
     const InitialSprings drawn(set, scene, liquid_density);
+    const double range = contact.on() ? contact.range : 0;
+    const std::vector<bool> of_cells = bodies_of_cells(set);
     for (int body = 0; body < count; ++body)
-        bodies_.push_back(made_of(initial_body(set, drawn, body, contact.on() ? contact.range : 0)));
+        bodies_.push_back(
+            made_of(of_cells[body] ? initial_cells(set, drawn, body, range) : initial_body(set, drawn, body, range)));
     note_step_limits();
     number_nodes();
 }
@@ -139,10 +142,11 @@ void SpringBodies::archive_parts(Archive& file) {
     };
     bodies_.clear();
     for (const BodyParts& body : parts) {
-        const auto& [nodes, bonds, hinges, dihedrals, held_apart] = body;  // all: one more does not compile
+        const auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = body;  // all: one more does not compile
         const bool has_own = !std::ranges::all_of(nodes, [](const auto& node) { return node.of_wall; });
         if (!has_own || !std::ranges::all_of(nodes, known) || !std::ranges::all_of(bonds, known) ||
-            !std::ranges::all_of(hinges, known) || !std::ranges::all_of(dihedrals, known))
+            !std::ranges::all_of(hinges, known) || !std::ranges::all_of(dihedrals, known) ||
+            !std::ranges::all_of(cells, known))
             throw unlike_any_run("a body of no solid of the scene");
         bodies_.push_back(made_of(body));
     }

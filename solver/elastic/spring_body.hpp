@@ -77,6 +77,9 @@ class SpringBody {
     /// Plimpton & Mattson 2009). Elastic forces only, no dashpots; no kinetic part.
     [[nodiscard]] virtual std::vector<std::array<double, 6>> virial() const = 0;
 
+    /// Of the particle, over its volume at rest; 1 where it consists of springs.
+    [[nodiscard]] virtual double volume_ratio(std::size_t /*node*/) const { return 1; }
+
     virtual void archive(Archive& file, const std::string& name) = 0;
 
     [[nodiscard]] const std::string& part() const { return part_; }

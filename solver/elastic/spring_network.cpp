@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/errors.hpp"
+#include "solver/elastic/cell_body.hpp"
 #include "solver/elastic/implicit_system.hpp"
 
 namespace dmp::solver {
@@ -16,6 +17,10 @@ std::unique_ptr<SpringBody> SpringBody::make(const ParticleSet& set, const Part&
 
 std::unique_ptr<SpringBody> SpringBody::make(const BodyParts& parts, const std::string& name,
                                              const ParticleSpace& space, const SpringContact& contact) {
+    if (!parts.cells.empty()) {
+        if (space.dimension == 3) return std::make_unique<CellBody<3>>(parts, name, space.spacing, contact);
+        return std::make_unique<CellBody<2>>(parts, name, space.spacing, contact);
+    }
     if (space.dimension == 3) return std::make_unique<SpringNetwork<3>>(parts, name, space.spacing, contact);
     return std::make_unique<SpringNetwork<2>>(parts, name, space.spacing, contact);
 }
@@ -29,7 +34,7 @@ template <int D>
 SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name, double spacing,
                                 const SpringContact& contact)
     : SpringBody(name), spacing_(spacing) {
-    const auto& [nodes, bonds, hinges, dihedrals, held_apart] = parts;  // all: one more does not compile
+    const auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = parts;  // all: one more does not compile
     for (const BodyParts::Node& node : nodes) {
         ids_.push_back(node.id);
         fixed_.push_back(node.fixed ? 1 : 0);
@@ -53,6 +58,7 @@ SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name,
     if constexpr (D == 3)
         for (const auto& dihedral : dihedrals)
             dihedrals_.push_back({dihedral.node, DihedralForce(dihedral.rest, {dihedral.stiffness, dihedral.dashpot})});
+    for (const BodyParts::Cell& cell : cells) cells_.emplace_back(cell);
     if (contact.on()) self_contact_ = std::make_unique<SelfContact<D>>(contact, held_apart, of_wall_);
 }
 
@@ -86,6 +92,7 @@ void SpringNetwork<D>::add_forces(const Vectors& position, const Vectors& veloci
             force[node] += (-sign * tension) * slope;
         });
     });
+    add_cell_forces(position, velocity, force);
 }
 
 template <int D>
@@ -169,6 +176,7 @@ typename SpringNetwork<D>::Impulses SpringNetwork<D>::advance_subcycled(double d
     for (int step = 0; step < substeps; ++step) {
         std::fill(force_.begin(), force_.end(), Point{});
         add_forces(position_, velocity_, force_);
+        refuse_crushed_cells();
         kick(h, force_, velocity_, impulses);
         drift(step + 1 < substeps ? h : h / 2);
     }
@@ -177,7 +185,7 @@ typename SpringNetwork<D>::Impulses SpringNetwork<D>::advance_subcycled(double d
 
 template <int D>
 double SpringNetwork<D>::step_limit() const {
-    const double longest = bonds_.empty() ? 1 : bonds_.front().law.rest_length;
+    const double longest = bonds_.empty() ? spacing_ : bonds_.front().law.rest_length;
     const double small = 1e-6 * longest;
     const Vectors at_rest(ids_.size(), Point{});
     Vectors mode(ids_.size());
@@ -219,6 +227,7 @@ double SpringNetwork<D>::energy() const {
     double energy = 0;
     for_each_spring(
         [&](const auto& spring) { energy += spring.law.energy(spring.law.deviation(spring.arms(position_)).value); });
+    for (const LocalCell<D>& cell : cells_) energy += cell.energy(cell.of(position_));
     return energy;
 }
 

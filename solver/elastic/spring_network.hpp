@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
@@ -11,6 +12,7 @@
 #include "models/springs/bond_force.hpp"
 #include "models/springs/dihedral_force.hpp"
 #include "models/springs/hinge_force.hpp"
+#include "solver/elastic/local_cell.hpp"
 #include "solver/elastic/spring_body.hpp"
 
 namespace dmp::solver {
@@ -39,7 +41,8 @@ struct LocalSpring {
     }
 };
 
-/// Nodes, their bonds, hinges and, in 3-D, dihedrals: an elastic body in D dimensions.
+/// Nodes, their bonds, hinges and, in 3-D, dihedrals, and cells between them: an elastic body in D dimensions. As a
+/// SpringBody its particles are its nodes; where there are cells, CellBody is the body.
 template <int D>
 class SpringNetwork final : public SpringBody {
   public:
@@ -105,7 +108,9 @@ class SpringNetwork final : public SpringBody {
     [[nodiscard]] double self_contact_rate() const override;
     [[nodiscard]] std::vector<std::array<double, 6>> virial() const override;
 
+    [[nodiscard]] const std::vector<LocalCell<D>>& cells() const { return cells_; }
     [[nodiscard]] const Vectors& positions() const { return position_; }
+    [[nodiscard]] const Vectors& positions_at_rest() const { return position_at_rest_; }
     /// For tests and static solutions: nodes may be moved anywhere.
     Vectors& positions() { return position_; }
     [[nodiscard]] const Vectors& velocities() const { return velocity_; }
@@ -136,6 +141,10 @@ class SpringNetwork final : public SpringBody {
             for (const auto& dihedral : dihedrals_) visit(dihedral);
     }
     void add_forces(const Vectors& position, const Vectors& velocity, Vectors& force) const;
+    /// Those of the cells. Not a number where a cell is crushed or turned inside out, which no step may leave.
+    void add_cell_forces(const Vectors& position, const Vectors& velocity, Vectors& force) const;
+    /// Throws DivergenceError for a cell that is crushed or turned inside out, with its place.
+    void refuse_crushed_cells() const;
     void drift(double h);
     void advance_in_parts(double dt, int halvings_left, Impulses& impulses);
     /// One implicit midpoint step; returns false and changes nothing if Newton's method finds no solution.
@@ -147,11 +156,14 @@ class SpringNetwork final : public SpringBody {
     std::vector<LocalSpring<BondForce<D>>> bonds_;
     std::vector<LocalSpring<HingeForce<D>>> hinges_;
     [[no_unique_address]] Dihedrals dihedrals_;
+    std::vector<LocalCell<D>> cells_;
     double spacing_;                       ///< length scale of the distances between nodes [m]
     Vectors position_, velocity_, force_;  ///< positions are never wrapped: bodies may cross periodic boundaries
     Vectors position_before_;              ///< before the last advance
     Vectors position_at_rest_;             ///< initial
-    Vectors expected_;                     ///< mean velocities of the next step, if known
+    /// The first cell that was crushed in a trial of a step, since the last step.
+    mutable std::optional<Point> crushed_at_;
+    Vectors expected_;  ///< mean velocities of the next step, if known
     std::unique_ptr<ImplicitSystem> system_, in_fluid_;
     double in_fluid_step_ = 0;                      ///< for which in_fluid_ was factorised [s]
     std::unique_ptr<SelfContact<D>> self_contact_;  ///< null if contact is off

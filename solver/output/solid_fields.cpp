@@ -66,7 +66,8 @@ class SolidFields {
         if (virial_.empty())
             for (const auto& each : springs_.bodies()) virial_.push_back(each->virial());
         std::array<double, 6> stress = virial_[body][node];
-        for (double& component : stress) component /= -volume_[index_of_.at(springs_.bodies()[body]->ids()[node])];
+        const SpringBody& of = *springs_.bodies()[body];
+        for (double& component : stress) component /= -volume_[index_of_.at(of.ids()[node])] * of.volume_ratio(node);
         return stress;
     }
 

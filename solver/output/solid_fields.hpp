@@ -11,9 +11,9 @@ namespace dmp::solver {
 /// Adds bonds and the fields of output.solid_fields that the bodies know to a group of all spring particles, in the
 /// order of ids (docs/results.md):
 ///   displacement, mean_displacement   from where it was drawn [m]
-///   stress     sigma = -W / V [Pa], W the particle's share of the virial of bonds and hinges (SpringBody::virial) and
-///   V
-///              its volume in the SPH sums; tension is positive
+///   stress     sigma = -W / (J V) [Pa], W the particle's share of the virial (SpringBody::virial), V its volume in the
+///   SPH
+///              sums and J its volume over that at rest, 1 for springs: Cauchy's stress of cells; tension is positive
 ///   von_mises  of that stress, nothing acting across the plane [Pa]
 ///   strain, force   of each bond: (r - r0) / r0 [-], 2 k_b (r - r0) [N]
 /// `volume` is that of the group's particles [m^3].

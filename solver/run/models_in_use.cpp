@@ -205,7 +205,17 @@ void Models::add_elastic(const SpringBodies& springs) {
     for (std::size_t number = 0; number < parts.size(); ++number) {
         const Part& part = *parts[number];
         const std::string where = position_of(part);
-        add("bonds with dashpots", "U = k_b (r - r0)^2", where);
+        switch (*part.model) {
+            case ElasticModel::springs:
+                add("bonds with dashpots", "U = k_b (r - r0)^2", where);
+                break;
+            case ElasticModel::cells:
+                add("elastic cells", "one-point finite elements: Belytschko & Bindeman 1993, Puso 2000",
+                    because(part.model, "model"));
+                add(to_string(*part.elastic_law), std::string(part.elastic_law->facts().citation),
+                    because(part.elastic_law, "elastic_law"));
+                break;
+        }
         if (part.cross_bonds || (part.shear_stiffness.given() && others[number].bonds))
             add("cross bonds with dashpots", "U = k_c (r - r0)^2",
                 part.cross_bonds ? because(part.cross_bonds, "cross_bonds")

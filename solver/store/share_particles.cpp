@@ -63,6 +63,32 @@ void share_space(ParticleSpace& space, const Ranks& ranks) {
     share_walls(space, ranks);
 }
 
+void share_cells(ParticleSet& set, const Ranks& ranks) {
+    std::vector<Vec> positions;
+    std::vector<std::uint8_t> fixed;
+    for (const CellNode& node : set.cell_nodes) {
+        positions.push_back(node.position);
+        fixed.push_back(node.fixed ? 1 : 0);
+    }
+    share(positions, ranks);
+    ranks.broadcast(fixed);
+    set.cell_nodes.clear();
+    for (std::size_t n = 0; n < fixed.size(); ++n) set.cell_nodes.push_back({positions[n], fixed[n] == 1});
+
+    struct Plain {
+        int particle;
+        std::array<int, 8> node;
+        std::array<double, 3> size, centroid, moment;
+    };
+    std::vector<Plain> cells;
+    for (const SolidCell& cell : set.cells)
+        cells.push_back({cell.particle, cell.node, three(cell.size), three(cell.centroid), three(cell.moment)});
+    ranks.broadcast(cells);
+    set.cells.clear();
+    for (const Plain& cell : cells)
+        set.cells.push_back({cell.particle, cell.node, vec(cell.size), vec(cell.centroid), vec(cell.moment)});
+}
+
 }  // namespace
 
 void share_particles(ParticleSet& particles, const Ranks& ranks) {
@@ -83,6 +109,7 @@ void share_particles(ParticleSet& particles, const Ranks& ranks) {
     ranks.broadcast(particles.bonds);
     ranks.broadcast(particles.hinges);
     ranks.broadcast(particles.dihedrals);
+    share_cells(particles, ranks);
 }
 
 }  // namespace dmp::solver

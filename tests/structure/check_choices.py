@@ -33,6 +33,15 @@ NO_INVERSE = """struct Forgotten {
 """
 
 
+NO_TANGENT = """struct Forgotten {
+    static constexpr LawFacts facts{"forgotten", "", "a stress without its derivative"};
+    LameConstants constants;
+    template <int D> double energy(const Matrix<D>&) const { return 0; }
+    template <int D> Matrix<D> stress(const Matrix<D>& c) const { return c; }
+};
+"""
+
+
 def replaced(header, *changes):
     """The header with each (old, new) replaced, each of which it must have once."""
     text = (ROOT / header).read_text()
@@ -129,7 +138,18 @@ class Forgotten(unittest.TestCase):
                            ("    std::vector<Spring<4>> dihedrals;",
                             "    std::vector<Spring<4>> dihedrals;\n    std::vector<Spring<3>> forgotten;"))
         for file in ("body_parts", "body_change", "spring_bodies", "spring_network"):
-            self.refused(f"solver/elastic/{file}.cpp", headers, "only 5 names provided")
+            self.refused(f"solver/elastic/{file}.cpp", headers, "only 6 names provided")
+
+    def test_model_of_elastic_solids(self):
+        headers = with_value("ElasticModel { springs, cells }", '"springs", "cells"')
+        for file in ("scene/spring_checks.cpp", "mesher/plane_springs.cpp", "mesher/space_springs.cpp",
+                     "solver/run/models_in_use.cpp"):
+            self.refused(file, headers, NOT_HANDLED)
+
+    def test_elastic_law_without_a_tangent(self):
+        headers = with_law("models/elastic/elastic_law_list.hpp", "Registry<SaintVenantKirchhoff, ",
+                           "models/elastic/elastic_laws.hpp", "/// Returns use(law)", NO_TANGENT)
+        self.refused("solver/elastic/implicit_system.cpp", headers, "tangent")
 
     def test_list_of_springs_of_a_lattice(self):
         headers = replaced("mesher/cell_lattice.hpp", ("    std::vector<Dihedral> dihedrals;",

@@ -54,6 +54,15 @@ TEST(Fingerprint, DependsOnAllThatAGeometryGives) {
         [](ParticleSet& set) {
             set.dihedrals = {{0, 1, 0, 1, 1, 1}};
         },
+        [](ParticleSet& set) { set.cells = {{}}; },
+        [](ParticleSet& set) {
+            set.cells = {{.particle = 0, .node = {0, 1}}};
+        },
+        [](ParticleSet& set) { set.cells = {{.particle = 0, .moment = Vec(0, 1, 0)}}; },
+        [](ParticleSet& set) {
+            set.cells = {{}};
+            set.cell_nodes = {{Vec(1, 2, 3), true}};
+        },
         [](ParticleSet& set) { set.wall_planes = {{}}; },
         [](ParticleSet& set) { set.wall_corners = {Vec::Zero()}; },
         [](ParticleSet& set) { set.wall_triangles = {{}}; }};

@@ -51,6 +51,28 @@ TEST(SceneSprings, a_strip_may_have_a_shear_stiffness_and_then_no_say_about_cros
                 HasSubstr("shear_stiffness is for strips in 2-D"));
 }
 
+TEST(SceneCells, are_read) {
+    const std::string area = "density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\npoisson_ratio = 0.49\n";
+    const Scene scene = read_text(scene_with(strip, area + "model = \"cells\"\nelastic_law = \"neo_hookean\""));
+    EXPECT_EQ(*scene.parts[2].model, ElasticModel::cells);
+    EXPECT_TRUE(scene.parts[2].elastic_law->is<NeoHookean>());
+    EXPECT_EQ(*read_text(scene_with(strip, strip)).parts[2].model, ElasticModel::springs);
+}
+
+TEST(SceneCells, that_cannot_be_are_refused) {
+    const std::string area = "density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\n", cells = "model = \"cells\"\n";
+    const auto fault = [&](const std::string& part) { return fault_of(scene_with(strip, part)); };
+    EXPECT_THAT(fault(strip + "\n" + cells), AllOf(HasSubstr("is a strip"), HasSubstr("draw the part as an area")));
+    EXPECT_THAT(fault(area + cells + "bonds_within = \"0.15 mm\""), HasSubstr("bonds_within is for solids of springs"));
+    EXPECT_THAT(fault(area + cells + "poisson_ratio = 0.5"), HasSubstr("0.49"));
+    EXPECT_THAT(fault(area + "poisson_ratio = 0.25\nelastic_law = \"neo_hookean\""),
+                AllOf(HasSubstr("elastic_law is for solids of cells"), HasSubstr("model = \"cells\"")));
+    EXPECT_THAT(fault(area + cells + "elastic_law = \"rubber\""), HasSubstr("neo_hookean"));
+    const std::string implicit =
+        scene_with(strip, area + cells + "poisson_ratio = 0.3") + "\n[numerics]\nviscosity_stepping = \"implicit\"\n";
+    EXPECT_THAT(fault_of(implicit), HasSubstr("does not move"));
+}
+
 TEST(SceneSprings, with_bonds_within_are_solids_of_one_poisson_ratio) {
     const std::string area = "density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\nbonds_within = \"0.15 mm\"";
     EXPECT_NEAR(*read_text(scene_with(strip, area)).parts[2].bonds_within, 1.5e-4, 1e-18);

@@ -1,0 +1,73 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Of the SpaceBuilder: solids of cells.
+#include <algorithm>
+#include <sstream>
+
+#include "mesher/cell_solids.hpp"
+#include "mesher/solid_on_boxes.hpp"
+#include "mesher/space_builder.hpp"
+
+namespace dmp::mesher {
+
+/// Takes the lattice points inside the solid, and those in boxes with a cell of it.
+void SpaceBuilder::claim_cells(const Part& part, const Solid& solid) {
+    if (*scene_.particles.arrangement != Arrangement::square)
+        throw InputError(scene_.particles.arrangement.location,
+                         "'" + part.name.value + "' is a solid of cells, which are built on the cubic lattice only",
+                         "write particles.arrangement = \"square\", or model = \"springs\" and bonds_within");
+    if (solid.surface.has_holes)
+        throw InputError(
+            part.name.location,
+            "the surface of '" + part.name.value + "' has holes, so that what of a cell it fills is not known",
+            "close it: geometry.repair, or dmp inspect, says where it is open");
+    const Vec step = lattice_step();
+    const BoxLattice boxes{3, lattice_->at(0, 0, 0) - 0.5 * step, step};
+    SolidCells cells = SolidOnBoxes(solid.surface, boxes).cells();
+    check_filled(part, cells, solid.volume());
+    const std::int16_t owner = owner_of_wall(walls_.size() + spring_solids_.size());
+    claim(solid.surface, owner);
+    for (const SolidCell& cell : cells.cells) {
+        const Vec place = (cells.nodes[cell.node[0]].position - boxes.origin).cwiseQuotient(step);
+        std::array<long, 3> at{};
+        for (int axis = 0; axis < 3; ++axis) at[axis] = std::lround(place[axis]);
+        std::int16_t& here = owner_.at(
+            static_cast<std::size_t>((at[2] * lattice_->rows()[0].lines + at[1]) * lattice_->points() + at[0]));
+        if (here == nobody) here = in_a_shell;
+    }
+    spring_solids_.push_back({&part, {}, std::move(cells)});
+}
+
+void SpaceBuilder::clamp_cells(const Part& part, SolidCells& cells) const {
+    if (part.anchor->empty()) return;
+    const Solid* solid = geometry_.solid(part.anchor);
+    const TriangleSurface& surface = solid != nullptr ? solid->surface : geometry_.surface_set(part.anchor)->surface;
+    const NearestTriangle anchor(surface, farthest_clamped * spacing_);
+    for (CellNode& node : cells.nodes)
+        if (const auto found = anchor.nearest(node.position))
+            node.fixed = is_clamped(node.position - found->point, normal_of(surface, found->triangle), spacing_);
+    if (std::ranges::any_of(cells.nodes, &CellNode::fixed)) return;
+    std::ostringstream problem;
+    problem << "no node of '" << part.name.value << "' is within half a spacing of '" << part.anchor.value << "'";
+    throw InputError(part.anchor.location, problem.str(), "draw the part so that it touches what it is anchored to");
+}
+
+void SpaceBuilder::add_cells(SpringSolid& solid, int part, MeshReport::SpringLine& line) {
+    SolidCells& cells = *solid.cells;
+    clamp_cells(*solid.part, cells);
+    ParticleSet& set = result_.particles;
+    const std::size_t first = set.size();
+    for (std::size_t n = 0; n < cells.cells.size(); ++n) {
+        const Filling& filling = cells.fillings[n];
+        add_particle(filling.centroid, part, 0);
+        set.volume.back() = filling.volume;
+        set.mass.back() = filling.volume * solid.part->density;
+        set.body.back() = bodies_ + cells.piece[n];
+        set.fixed.back() = is_held(cells, n, 3) ? 1 : 0;
+    }
+    add_cells_of(cells, first, set);
+    bodies_ += cells.pieces;
+    report_cells(*solid.part, cells, geometry_.solid(solid.part->name)->volume(), lattice_->cell_volume(), line,
+                 result_.report.notes);
+}
+
+}  // namespace dmp::mesher

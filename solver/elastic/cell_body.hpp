@@ -1,0 +1,60 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/elastic/spring_network.hpp"
+
+namespace dmp::solver {
+
+/// An elastic body of cells (ElasticCell). Its particles are the centroids of the cells, what moves are the nodes on
+/// their corners, with the shape functions N_k of the centroid between them:
+///   x_p = SUM N_k x_k,   v_p = SUM N_k v_k,   f_k = SUM N_k f_p,   m_k = SUM N_k m_p
+/// so that force, moment, momentum and power are the same on both sides.
+template <int D>
+class CellBody final : public SpringBody {
+  public:
+    using Network = SpringNetwork<D>;
+    using Point = typename Network::Point;
+    using Vectors = typename Network::Vectors;
+
+    CellBody(const BodyParts& parts, const std::string& name, double spacing, const SpringContact& contact);
+
+    [[nodiscard]] BodyParts parts() const override;
+    SpringImpulses advance(std::span<const Vec> force, double dt, int substeps) override;
+
+    /// Not yet: scenes with implicit viscosity and cells are refused.
+    [[nodiscard]] std::vector<Vec> balance(std::span<const Vec> w, double dt) const override;
+    void prepare_in_fluid(std::span<const Vec> w, std::span<const Vec> drag, double dt) override;
+    void multiply_in_fluid(std::span<Vec> values) const override;
+    void solve_in_fluid(std::span<Vec> values) const override;
+    void expect(std::span<const Vec> w) override;
+
+    [[nodiscard]] Vec position(std::size_t node) const override;
+    [[nodiscard]] Vec position_before(std::size_t node) const override;
+    [[nodiscard]] Vec rest_position(std::size_t node) const override;
+
+    [[nodiscard]] double free_mass() const override { return network_.free_mass(); }
+    [[nodiscard]] Vec total_momentum() const override { return network_.total_momentum(); }
+    [[nodiscard]] double energy() const override { return network_.energy(); }
+    [[nodiscard]] double step_limit() const override { return network_.step_limit(); }
+    [[nodiscard]] double self_contact_rate() const override;
+    /// -V F S F^T of each cell: minus Kirchhoff's stress times its volume at rest.
+    [[nodiscard]] std::vector<std::array<double, 6>> virial() const override;
+    [[nodiscard]] double volume_ratio(std::size_t node) const override;
+    void archive(Archive& file, const std::string& name) override { network_.archive(file, name); }
+
+    [[nodiscard]] const Network& network() const { return network_; }
+    Network& network() { return network_; }  ///< for tests and static solutions
+
+  private:
+    [[nodiscard]] const LocalCell<D>& cell(std::size_t particle) const { return network_.cells()[particle]; }
+    [[nodiscard]] Vectors at_centroids(const Vectors& of_nodes) const;
+
+    Network network_;
+    std::vector<BodyParts::Cell> cells_;  ///< as they were made
+    std::unique_ptr<SelfContact<D>> self_contact_;
+};
+
+extern template class CellBody<2>;
+extern template class CellBody<3>;
+
+}  // namespace dmp::solver

@@ -1,0 +1,181 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// A solid of cells in moving water, in 2-D and in 3-D, on several ranks: the bits of one, also through a checkpoint.
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "mesher/cell_solids.hpp"
+#include "mesher/solid_cells.hpp"
+#include "solver/state/checkpoint_folder.hpp"
+#include "solver/store/share_particles.hpp"
+#include "tests/modules.hpp"
+#include "tests/unit/solver/small_scenes.hpp"
+#include "tests/unit/temporary_files.hpp"
+
+namespace dmp::tests::cells_on_ranks_tests {
+namespace {
+
+constexpr double spacing = 0.1;
+constexpr int side = 14;
+
+/// A block of boxes, those on its low sides filled by two thirds.
+SolidCells block(int dimension, const std::array<int, 3>& first, const std::array<int, 3>& last) {
+    const BoxLattice lattice{dimension, Vec::Zero(), Vec(spacing, spacing, dimension == 3 ? spacing : 0)};
+    const auto filling = [&](const std::array<int, 3>& box) {
+        Filling filled{lattice.volume(), lattice.middle(box), lattice.step.cwiseAbs2() / 12};
+        if (box[0] == first[0]) {
+            filled.volume *= 2.0 / 3;
+            filled.centroid[0] += spacing / 6;
+            filled.moment[0] *= 4.0 / 9;
+        }
+        return filled;
+    };
+    return solid_cells(lattice, first, last, {filling, [](const auto&, int) { return true; }});
+}
+
+void add_particle(ParticleSet& set, const Vec& position, double volume, int part, int body) {
+    set.position.push_back(position);
+    set.volume.push_back(volume);
+    set.mass.push_back(1000 * volume);
+    set.part.push_back(part);
+    set.body.push_back(body);
+    set.fixed.push_back(0);
+    set.seated.push_back(0);
+    set.wall_normal.push_back(Vec::Zero());
+    set.wall_distance.push_back(0);
+}
+
+/// Water, periodic and sheared, with a solid that reaches through the planes halfway across it.
+SceneAndParticles solid_in_water(int dimension, SpringStepping stepping) {
+    SceneAndParticles made = endless_water();
+    Scene& scene = made.scene;
+    scene.dimension = dimension;
+    scene.flow.acceleration[0] = Expression("sin(4 * y)", "sin(4 * y)");
+    for (int axis = 0; axis < dimension; ++axis) scene.flow.periodic[axis] = true;
+    Part part;
+    part.name = std::string("solid");
+    part.kind = PartKind::elastic;
+    part.model = ElasticModel::cells;
+    part.elastic_law = ElasticLaw::of<NeoHookean>();
+    part.density = 1000.0;
+    part.youngs_modulus = 1e4;
+    part.poisson_ratio = 0.4;
+    scene.parts.push_back(part);
+    scene.contact.strength = 1e-2;
+    scene.run.duration = 0.05;
+    scene.numerics.step_factor = 0.3;
+    scene.numerics.spring_stepping = stepping;
+    scene.output.every = 0.05;
+
+    ParticleSet& set = made.particles;
+    set = {};
+    set.dimension = dimension;
+    set.spacing = spacing;
+    const int layers = dimension == 3 ? side : 1;
+    set.box = {Vec::Zero(), spacing * Vec(side, side, dimension == 3 ? side : 0)};
+    set.periodic = {true, true, dimension == 3};
+    set.parts = {{"water", PartKind::fluid}, {"solid", PartKind::elastic}};
+    const std::array<int, 3> first{4, 5, dimension == 3 ? 3 : 0}, last{9, 10, dimension == 3 ? 9 : 1};
+    const auto is_solid = [&](const std::array<int, 3>& box) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (box.at(axis) < first.at(axis) || box.at(axis) >= last.at(axis)) return false;
+        return true;
+    };
+    const double volume = std::pow(spacing, dimension);
+    for (int k = 0; k < layers; ++k)
+        for (int j = 0; j < side; ++j)
+            for (int i = 0; i < side; ++i)
+                if (!is_solid({i, j, k}))
+                    add_particle(set, spacing * Vec(i + 0.5, j + 0.5, dimension == 3 ? k + 0.5 : 0), volume, 0, -1);
+    const SolidCells cells = block(dimension, first, last);
+    const std::size_t first_particle = set.size();
+    for (std::size_t n = 0; n < cells.cells.size(); ++n)
+        add_particle(set, cells.fillings[n].centroid, cells.fillings[n].volume, 1, cells.piece[n]);
+    add_cells_of(cells, first_particle, set);
+    return made;
+}
+
+RunSummary run_on(const SceneAndParticles& made, const Ranks& ranks, const std::filesystem::path& resumed = {}) {
+    Resources resources(1);
+    resources.ranks = ranks;
+    Simulation simulation(made.scene, made.particles, resources);
+    if (!resumed.empty()) simulation.resume(resumed);
+    return simulation.run({});
+}
+
+class StopAtSecondFrame : public FrameSink {
+  public:
+    void write(const Frame&) override {
+        if (++frames_ == 2) stop = true;
+    }
+    std::atomic<bool> stop = false;
+
+  private:
+    int frames_ = 0;
+};
+
+/// Runs half of it, and says where its checkpoint is.
+std::filesystem::path stopped_halfway(const SceneAndParticles& made, const Ranks& ranks,
+                                      const std::filesystem::path& folder) {
+    Resources resources(1);
+    resources.ranks = ranks;
+    StopAtSecondFrame sink;
+    RunOptions options;
+    options.sink = ranks.is_first() ? &sink : nullptr;
+    options.stop = &sink.stop;
+    options.checkpoints.folder = folder;
+    options.checkpoints.every = 0;
+    EXPECT_TRUE(Simulation(made.scene, made.particles, resources).run(options).interrupted);
+    return CheckpointFolder(folder).newest_good()->file;
+}
+
+class CellsOnRanks : public ::testing::TestWithParam<std::tuple<int, SpringStepping>> {
+  protected:
+    SceneAndParticles made_ = solid_in_water(std::get<0>(GetParam()), std::get<1>(GetParam()));
+    Ranks ranks_ = Ranks::world();
+};
+
+TEST_P(CellsOnRanks, are_the_same_bits_on_any_number_of_ranks) {
+    const RunSummary alone = run_on(made_, Ranks::alone()), shared = run_on(made_, ranks_);
+    EXPECT_GT(alone.steps, 5);
+    EXPECT_EQ(shared.steps, alone.steps);
+    EXPECT_EQ(shared.lost, 0U);
+    EXPECT_EQ(shared.momentum_residual, alone.momentum_residual);
+    EXPECT_LT(shared.momentum_residual, 1e-12);
+    if (ranks_.is_first()) {
+        EXPECT_EQ(shared.state_hash, alone.state_hash);
+    }
+}
+
+TEST_P(CellsOnRanks, only_the_first_rank_needs_the_particles) {
+    SceneAndParticles given = made_;
+    if (!ranks_.is_first()) given.particles = {};
+    share_particles(given.particles, ranks_);
+    ASSERT_EQ(given.particles.cells.size(), made_.particles.cells.size());
+    const RunSummary shared = run_on(given, ranks_), whole = run_on(made_, ranks_);
+    if (ranks_.is_first()) {
+        EXPECT_EQ(shared.state_hash, whole.state_hash);
+    }
+}
+
+TEST_P(CellsOnRanks, go_on_after_a_restart_on_another_number_of_ranks) {
+    made_.scene.output.every = 0.02;
+    const RunSummary whole = run_on(made_, Ranks::alone());
+    const TemporaryFolder on_each;
+    std::string folder = on_each.path().string();
+    ranks_.broadcast(folder);
+    const RunSummary resumed = run_on(made_, Ranks::alone(), stopped_halfway(made_, ranks_, folder));
+    EXPECT_EQ(resumed.steps, whole.steps);
+    EXPECT_EQ(resumed.state_hash, whole.state_hash);
+}
+
+INSTANTIATE_TEST_SUITE_P(Steppers, CellsOnRanks,
+                         ::testing::Combine(::testing::Values(2, 3),
+                                            ::testing::Values(SpringStepping::implicit, SpringStepping::subcycled)));
+
+}  // namespace
+}  // namespace dmp::tests::cells_on_ranks_tests
