@@ -62,6 +62,7 @@ class Parser {
         add_run();
         add_sweep();
         add_trade();
+        add_limits();
         add_mesh();
         add_inspect();
         add_new();
@@ -88,11 +89,12 @@ class Parser {
         } catch (const CLI::ParseError& error) {
             throw InputError(plain(error), "'" + name_of(chosen()) + " --help' shows how it goes.");
         }
-        run_.typed = sweep_.typed = trade_.typed = mesh_.typed = inspect_.typed = new_.typed =
+        run_.typed = sweep_.typed = trade_.typed = limits_.typed = mesh_.typed = inspect_.typed = new_.typed =
             TypedCommand({argv.begin(), argv.end()});
         if (*run_app_) return run_;
         if (*sweep_app_) return sweep_;
         if (*trade_app_) return trade_;
+        if (*limits_app_) return limits_;
         if (*mesh_app_) return mesh_;
         if (*inspect_app_) return inspect_;
         if (*new_app_) return new_;
@@ -166,6 +168,15 @@ class Parser {
                                                "trade my_scene.toml --measures flow --tolerance \"2 %\"",
                                                "trade my_scene.toml --resume --reference out/finer",
                                                "trade my_scene.toml --slurm --partition long --time \"8 h\""}));
+    }
+
+    void add_limits() {
+        limits_app_ =
+            app_.add_subcommand("limits", "Where the models of a scene end: step, sound, stiffness and others");
+        add_limits_options(*limits_app_, limits_);
+        limits_app_->footer(examples(program_, {"limits cases/vein_valve --budget \"10 min\"",
+                                                "limits my_scene.toml --dials numerics.step_factor viscosity",
+                                                "limits my_scene.toml --resume --budget \"1 h\""}));
     }
 
     void add_sweep() {
@@ -405,6 +416,8 @@ class Parser {
     SweepCommand sweep_;
     CLI::App* trade_app_ = nullptr;
     TradeCommand trade_;
+    CLI::App* limits_app_ = nullptr;
+    LimitsCommand limits_;
     MeshCommand mesh_;
     InspectCommand inspect_;
     NewCommand new_;

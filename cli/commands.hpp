@@ -103,6 +103,23 @@ struct TradeCommand {
     TypedCommand typed;  ///< for lines to paste
 };
 
+/// `dmp limits`: where the models of a scene end (docs/limits.md).
+struct LimitsCommand {
+    std::string scene;                   ///< a scene file, or a folder with a scene.toml
+    std::vector<std::string> overrides;  ///< "key=value", as given
+    std::string out;                     ///< empty: out/NAME_limits below the current folder
+    std::string until;                   ///< a time with its unit; empty: what takes some seconds
+    std::vector<std::string> dials;      ///< names of those to turn; empty: all
+    std::string budget;                  ///< wall time with its unit; empty: any
+    std::string tolerance;               ///< error from which on a measure departs; empty: 5 %
+    int jobs = 0;                        ///< runs at a time; 0: as many as there are processors for
+    bool dry_run = false;
+    bool resume = false;     ///< go on with the limits in the folder
+    bool overwrite = false;  ///< remove what earlier limits have left in the folder
+    bool slurm = false;      ///< refused, with the reason
+    TypedCommand typed;      ///< for lines to paste
+};
+
 /// `dmp convert`: ParaView's files from the HDF5 frames of a run.
 struct ConvertCommand {
     std::string folder;  ///< of the run; the files go there
@@ -176,14 +193,15 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<RunCommand, SweepCommand, TradeCommand, MeshCommand, InspectCommand, NewCommand,
-                             ConvertCommand, PicturesCommand, ReportCommand, ExplainCommand, EscapeCommand,
+using Command = std::variant<RunCommand, SweepCommand, TradeCommand, LimitsCommand, MeshCommand, InspectCommand,
+                             NewCommand, ConvertCommand, PicturesCommand, ReportCommand, ExplainCommand, EscapeCommand,
                              DoctorCommand, ReadGeometryCommand, StartRunsCommand, PrintCommand>;
 
 /// Each does its command and returns the exit code; what goes wrong is thrown.
 int execute(const RunCommand& command);
 int execute(const SweepCommand& command);
 int execute(const TradeCommand& command);
+int execute(const LimitsCommand& command);
 int execute(const MeshCommand& command);
 int execute(const InspectCommand& command);
 int execute(const NewCommand& command);

@@ -29,6 +29,8 @@ CLI::Option* add_slurm(CLI::App& app, bool& slurm, SlurmOptions& options);
 
 /// Those of `dmp trade`.
 void add_trade_options(CLI::App& app, TradeCommand& trade);
+/// Those of `dmp limits`.
+void add_limits_options(CLI::App& app, LimitsCommand& limits);
 
 /// What is wrong with a number of threads or runs; "": nothing.
 [[nodiscard]] std::string at_least_one(const std::string& text);

@@ -54,6 +54,12 @@ std::vector<JsonValue> JsonValue::elements() const {
     return result;
 }
 
+std::vector<std::string> JsonValue::texts() const {
+    std::vector<std::string> all;
+    for (const JsonValue& each : elements()) all.push_back(each.text());
+    return all;
+}
+
 std::vector<std::pair<std::string, JsonValue>> JsonValue::members() const {
     std::vector<std::pair<std::string, JsonValue>> result;
     if (json_ == nullptr) return result;

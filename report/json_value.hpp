@@ -32,6 +32,8 @@ class JsonValue {
     [[nodiscard]] bool truth() const;
     /// Of a list; none where it is missing.
     [[nodiscard]] std::vector<JsonValue> elements() const;
+    /// Of a list of texts; none where it is missing.
+    [[nodiscard]] std::vector<std::string> texts() const;
     /// Of an object, in their order; none where it is missing.
     [[nodiscard]] std::vector<std::pair<std::string, JsonValue>> members() const;
 

@@ -20,10 +20,11 @@ struct RankedTick {
 constexpr std::array<std::pair<int, int>, 3> digits_and_ranks{{{1, 0}, {2, 2}, {5, 1}}};
 constexpr int ranks = 3;
 
-/// digit * 10^power with a unit: in full where that is short.
+/// digit * 10^power with a unit ("": none): in full where that is short.
 std::string number_with_unit(int digit, int power, const char* unit) {
-    if (power >= -2 && power <= 3) return fmt::format("{:g} {}", digit * std::pow(10.0, power), unit);
-    return fmt::format("{}e{} {}", digit, power, unit);
+    const std::string after = *unit == '\0' ? "" : std::string(" ") + unit;
+    if (power >= -2 && power <= 3) return fmt::format("{:g}{}", digit * std::pow(10.0, power), after);
+    return fmt::format("{}e{}{}", digit, power, after);
 }
 
 std::string below_ten_seconds(int digit, int power) {
@@ -59,11 +60,12 @@ std::vector<RankedTick> ranked_times(double low, double high) {
     return all;
 }
 
-std::vector<RankedTick> ranked_percents(double low, double high) {
+/// `shift`: powers of ten from the unit to one.
+std::vector<RankedTick> ranked_numbers(double low, double high, int shift, const char* unit) {
     std::vector<RankedTick> all;
     for (int power = static_cast<int>(std::floor(low)); power <= high; ++power)
         for (const auto& [digit, rank] : digits_and_ranks)
-            all.push_back({{power + std::log10(digit), number_with_unit(digit, power + 2, "%")}, rank});
+            all.push_back({{power + std::log10(digit), number_with_unit(digit, power + shift, unit)}, rank});
     return all;
 }
 
@@ -110,7 +112,11 @@ double LogAxis::at_log10(double log10) const { return from_ + (log10 - low_) / (
 std::vector<LogTick> LogAxis::times(double apart) const { return with_room(ranked_times(low_, high_), *this, apart); }
 
 std::vector<LogTick> LogAxis::percents(double apart) const {
-    return with_room(ranked_percents(low_, high_), *this, apart);
+    return with_room(ranked_numbers(low_, high_, 2, "%"), *this, apart);
+}
+
+std::vector<LogTick> LogAxis::numbers(double apart) const {
+    return with_room(ranked_numbers(low_, high_, 0, ""), *this, apart);
 }
 
 }  // namespace dmp::report

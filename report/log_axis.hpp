@@ -30,6 +30,8 @@ class LogAxis {
     [[nodiscard]] std::vector<LogTick> times(double apart) const;
     /// Parts of one as "1 %", "2 %", "5 %", likewise.
     [[nodiscard]] std::vector<LogTick> percents(double apart) const;
+    /// Plain numbers, "0.5", "1", "20", likewise.
+    [[nodiscard]] std::vector<LogTick> numbers(double apart) const;
 
   private:
     double low_, high_;  ///< logarithms

@@ -193,6 +193,7 @@ StudyFiles read_study_files(const fs::path& folder) {
     read_timing(study);
     read_pictures(study);
     if (fs::is_regular_file(folder / trade_file_name)) study.trade = read_trade_facts(folder / trade_file_name);
+    if (fs::is_regular_file(folder / limits_file_name)) study.limits = read_limits_facts(folder / limits_file_name);
     return study;
 }
 

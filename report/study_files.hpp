@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "report/limits_facts.hpp"
 #include "report/picture.hpp"
 #include "report/run_files.hpp"
 #include "report/study_facts.hpp"
@@ -53,6 +54,7 @@ struct StudyFiles {
     std::size_t pictures_left_out = 0;
     std::string study_text, scene_text;  ///< its file and its scene's
     std::optional<TradeFacts> trade;     ///< of a study that is a trade, once two of its runs can be compared
+    std::optional<LimitsFacts> limits;   ///< of a study of limits, once its scene has run with its own settings
     std::vector<std::string> notes;      ///< files that are not there, or cannot be shown
 
     [[nodiscard]] std::size_t failed() const;
@@ -63,7 +65,7 @@ inline constexpr std::size_t most_run_pictures = 24, most_run_picture_bytes = 2'
 
 inline constexpr const char* study_log_name = "sweep.log";
 
-/// Throws InputError where the folder or its study.json is missing, or a table or trade.json is damaged.
+/// Throws InputError where the folder or its study.json is missing, or a table, trade.json or limits.json is damaged.
 [[nodiscard]] StudyFiles read_study_files(const std::filesystem::path& folder);
 
 }  // namespace dmp::report

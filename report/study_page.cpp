@@ -11,6 +11,7 @@
 #include "base/csv.hpp"
 #include "report/embedded.hpp"
 #include "report/html.hpp"
+#include "report/limits_section.hpp"
 #include "report/page_frame.hpp"
 #include "report/study_plots.hpp"
 #include "report/study_table.hpp"
@@ -33,8 +34,20 @@ std::string title_of(const StudyFiles& study) {
     return study.facts.title.empty() ? study.folder.lexically_normal().filename().string() : study.facts.title;
 }
 
+/// Of a study of limits, which runs few of its runs.
+std::pair<std::string, std::string> state_of(const LimitsFacts& limits, std::size_t runs) {
+    const auto left =
+        static_cast<std::size_t>(std::ranges::count(limits.dials, LimitWay::not_measured, &LimitsFacts::Dial::way));
+    const std::string all = count(limits.dials.size(), "limit");
+    if (left > 0)
+        return {"interrupted", fmt::format("Not complete: {} of {} measured, by {}", limits.dials.size() - left, all,
+                                           count(runs, "run"))};
+    return {"complete", fmt::format("Complete: {} measured, by {}", all, count(runs, "run"))};
+}
+
 /// A class of page.css, and what to say.
 std::pair<std::string, std::string> state_of(const StudyFiles& study) {
+    if (study.limits) return state_of(*study.limits, study.rows.size());
     const std::size_t ended = study.rows.size(), failed = study.failed();
     const std::string but = failed == 0 ? "" : fmt::format(", {} failed", failed);
     if (ended < study.facts.runs)
@@ -179,12 +192,14 @@ std::string reproduce_section(const StudyFiles& study) {
 std::string study_page(const StudyFiles& study) {
     Items anchors;
     if (study.trade) anchors.emplace_back("trade", "Cost and error");
+    if (study.limits) anchors.emplace_back("limits", "Limits");
     anchors.insert(anchors.end(), {{"what", "What was studied"}, {"plots", "Plots"}, {"runs", "Runs"}});
     if (study.failed() > 0) anchors.emplace_back("failed", "Failed runs");
     if (!study.pictures.empty()) anchors.emplace_back("pictures", "Pictures");
     anchors.insert(anchors.end(), {{"time", "Time"}, {"reproduce", "How to run it again"}});
     const std::string text = head(study) + box("missing", "Not on this page", study.notes) + navigation(anchors) +
-                             (study.trade ? trade_section(*study.trade) : "") + what_was_studied(study) +
+                             (study.trade ? trade_section(*study.trade) : "") +
+                             (study.limits ? limits_section(*study.limits) : "") + what_was_studied(study) +
                              study_plots_section(study) + runs_section(study) + failures_section(study) +
                              pictures_section(study) + time_section(study) + reproduce_section(study);
     PageScripts run;

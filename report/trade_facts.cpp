@@ -14,12 +14,6 @@ namespace dmp::report {
 
 namespace {
 
-std::vector<std::string> texts(const JsonValue& list) {
-    std::vector<std::string> all;
-    for (const JsonValue& each : list.elements()) all.push_back(each.text());
-    return all;
-}
-
 /// 0 or more; NaN where it is missing or null.
 double number_from_0(const JsonValue& json) {
     const double value = json.number();
@@ -36,7 +30,7 @@ std::size_t level_of(const JsonValue& json, const std::vector<std::string>& leve
 TradeFacts::Setting setting_of(const JsonValue& json, const std::vector<std::string>& levels) {
     TradeFacts::Setting setting;
     setting.run = json["run"].text();
-    setting.set = texts(json["set"]);
+    setting.set = json["set"].texts();
     setting.spacing = number_from_0(json["spacing_m"]);
     setting.level = level_of(json["level"], levels);
     setting.is_repeat = json["is_repeat"].truth();
@@ -83,12 +77,12 @@ TradeFacts read_trade_facts(const std::filesystem::path& file) {
     facts.scene = json["scene"].text();
     facts.name = json["name"].text();
     if (facts.name.empty()) facts.name = facts.scene;
-    facts.set_in_all = texts(json["set_in_all"]);
+    facts.set_in_all = json["set_in_all"].texts();
     facts.simulated = number_from_0(json["simulated_s"]);
     facts.duration = number_from_0(json["duration_s"]);
     for (const JsonValue& measure : json["measures"].elements())
         facts.measures.push_back({measure["name"].text(), number_from_0(measure["scatter"])});
-    facts.levels = texts(json["levels"]);
+    facts.levels = json["levels"].texts();
     if (!json["settings"].is_there()) json["settings"].fail("there");
     for (const JsonValue& setting : json["settings"].elements())
         facts.settings.push_back(setting_of(setting, facts.levels));

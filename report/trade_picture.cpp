@@ -11,20 +11,19 @@
 
 #include "base/length_text.hpp"
 #include "base/safe_file.hpp"
-#include "base/unlisted_value.hpp"
 #include "report/html.hpp"
 #include "report/label_places.hpp"
 #include "report/log_axis.hpp"
+#include "report/svg_parts.hpp"
 
 namespace dmp::report {
 
 namespace {
 
 constexpr double width = 720, left = 72, right = 700, top = 102,
-                 bottom = 412;                                         // of the picture, of the plot in it [px]
-constexpr double label_size = 11.5, text_size = 13, line_height = 17;  // [px]
-constexpr double mark_radius = 5, ring_radius = 9.5;                   // [px]
-constexpr const char *dark = "#1b1f24", *soft = "#57606a", *grid = "#e8ebef", *frame = "#8c959f";
+                 bottom = 412;  // of the picture, of the plot in it [px]
+constexpr double label_size = 11.5, text_size = svg_text_size, line_height = 17;  // [px]
+constexpr double mark_radius = 5, ring_radius = 9.5;                              // [px]
 constexpr std::size_t most_labels = 100, longest_name = 56, longest_path = 80;
 
 /// Okabe and Ito's colours, which the colour-blind tell apart.
@@ -53,39 +52,7 @@ std::string ring(PicturePoint at) {
     return fmt::format(
         "<circle class=\"reference\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"none\" stroke=\"{}\" "
         "stroke-width=\"1.3\"/>\n",
-        at.x, at.y, ring_radius, dark);
-}
-
-std::string line(PicturePoint from, PicturePoint to, const char* colour, const char* more = "") {
-    return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" fill=\"none\" stroke=\"{}\"{}/>\n", from.x, from.y,
-                       to.x, to.y, colour, more);
-}
-
-enum class Align { start, middle, end };
-
-const char* anchor_of(Align align) {
-    switch (align) {
-        case Align::start:
-            return "start";
-        case Align::middle:
-            return "middle";
-        case Align::end:
-            return "end";
-    }
-    unlisted_value(align);
-}
-
-/// `more`: attributes.
-std::string text(PicturePoint at, const std::string& words, Align align, const std::string& more = "") {
-    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", at.x, at.y, anchor_of(align),
-                       more, escaped(words));
-}
-
-/// About how wide a text is; fonts differ.
-double width_of(const std::string& words, double size) {
-    const auto characters =
-        std::ranges::count_if(words, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-    return 0.62 * size * static_cast<double>(characters);
+        at.x, at.y, ring_radius, svg_dark);
 }
 
 /// `largest`: spacing of all [m].
@@ -154,18 +121,18 @@ class Plot {
         std::string all;
         for (const LogTick& tick : costs_.times(52)) {
             const double x = costs_.at_log10(tick.log10);
-            all += line({x, top}, {x, bottom}, grid) + line({x, bottom}, {x, bottom + 4}, frame) +
-                   text({x, bottom + 18}, tick.text, Align::middle);
+            all += svg_line({x, top}, {x, bottom}, svg_grid) + svg_line({x, bottom}, {x, bottom + 4}, svg_frame) +
+                   svg_text({x, bottom + 18}, tick.text, SvgAlign::middle);
         }
         constexpr double apart = 16;
         std::vector<LogTick> ticks = errors_.percents(apart);
         for (const LogTick& tick : ticks) {
             const double y = errors_.at_log10(tick.log10);
-            all += line({left, y}, {right, y}, grid);
+            all += svg_line({left, y}, {right, y}, svg_grid);
         }
         for (const double tolerance : trade_tolerances) {
             const double y = errors_.at(tolerance);
-            all += line({left, y}, {right, y}, frame, " class=\"tolerance\" stroke-dasharray=\"5 4\"");
+            all += svg_line({left, y}, {right, y}, svg_frame, " class=\"tolerance\" stroke-dasharray=\"5 4\"");
             const auto is_near = [&](const LogTick& tick) {
                 return std::abs(errors_.at_log10(tick.log10) - y) < apart;
             };
@@ -173,13 +140,14 @@ class Plot {
         }
         for (const LogTick& tick : ticks) {
             const double y = errors_.at_log10(tick.log10);
-            all += line({left - 4, y}, {left, y}, frame) + text({left - 8, y + 4.5}, tick.text, Align::end);
+            all +=
+                svg_line({left - 4, y}, {left, y}, svg_frame) + svg_text({left - 8, y + 4.5}, tick.text, SvgAlign::end);
         }
-        all += line({left, top}, {left, bottom}, frame) + line({left, bottom}, {right, bottom}, frame);
-        all += text({(left + right) / 2, bottom + 40}, "processor time", Align::middle);
+        all += svg_line({left, top}, {left, bottom}, svg_frame) + svg_line({left, bottom}, {right, bottom}, svg_frame);
+        all += svg_text({(left + right) / 2, bottom + 40}, "processor time", SvgAlign::middle);
         constexpr double middle = (top + bottom) / 2;
-        return all +
-               text({14, middle}, "error", Align::middle, fmt::format(" transform=\"rotate(-90 14 {:.1f})\"", middle));
+        return all + svg_text({14, middle}, "error", SvgAlign::middle,
+                              fmt::format(" transform=\"rotate(-90 14 {:.1f})\"", middle));
     }
 
     [[nodiscard]] std::vector<PicturePoint> front_points() const {
@@ -195,7 +163,7 @@ class Plot {
                                : fmt::format(
                                      "<polyline class=\"front\" points=\"{}\" fill=\"none\" stroke=\"{}\" "
                                      "stroke-width=\"1.6\"/>\n",
-                                     corners, frame);
+                                     corners, svg_frame);
     }
 
     [[nodiscard]] std::string labels() const {
@@ -205,7 +173,7 @@ class Plot {
         for (const Point& each : points_) {
             const double radius = is_reference(each) ? ring_radius + 1 : mark_radius + 2;
             obstacles.marks.push_back({each.at.x - radius, each.at.y - radius, each.at.x + radius, each.at.y + radius});
-            widths.push_back(width_of(label_of(trade_, setting(each), largest_spacing_), label_size));
+            widths.push_back(svg_text_width(label_of(trade_, setting(each), largest_spacing_), label_size));
         }
         const std::vector<PictureBox> places = label_places(obstacles, widths, label_size + 2);
         std::string all;
@@ -216,15 +184,15 @@ class Plot {
             const PicturePoint near{std::clamp(at.x, place.left, place.right),
                                     std::clamp(at.y, place.top, place.bottom)};
             if (std::hypot(near.x - at.x, near.y - at.y) > ring_radius + 6)
-                all += line(at, near, frame, " stroke-width=\"0.8\"");
+                all += svg_line(at, near, svg_frame, " stroke-width=\"0.8\"");
             // Fonts differ in width: the end that is at the mark stays there.
             const bool is_right = place.left > at.x, is_left = place.right < at.x;
-            const Align align = is_right ? Align::start : is_left ? Align::end : Align::middle;
+            const SvgAlign align = is_right ? SvgAlign::start : is_left ? SvgAlign::end : SvgAlign::middle;
             const double x = is_right ? place.left : is_left ? place.right : place.centre().x;
-            all += text({x, place.bottom - 3}, label_of(trade_, setting(points_[k]), largest_spacing_), align,
-                        fmt::format(" class=\"label\" font-size=\"{}\" fill=\"{}\" stroke=\"#ffffff\" "
-                                    "stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
-                                    label_size, dark));
+            all += svg_text({x, place.bottom - 3}, label_of(trade_, setting(points_[k]), largest_spacing_), align,
+                            fmt::format(" class=\"label\" font-size=\"{}\" fill=\"{}\" stroke=\"#ffffff\" "
+                                        "stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
+                                        label_size, svg_dark));
         }
         return all;
     }
@@ -256,16 +224,16 @@ std::string legend(const TradeFacts& trade, const Plot& plot) {
     const std::string of_front = "no other is cheaper and as good", of_reference = "reference";
     double levels_width = 0;
     for (std::size_t level = 0; level < trade.levels.size(); ++level)
-        if (plot.has_level(level)) levels_width += mark_symbol + width_of(trade.levels[level], text_size) + gap;
-    double others_width = plot.is_empty() ? 0 : line_symbol + width_of(of_front, text_size);
-    if (plot.has_reference()) others_width += gap + ring_symbol + width_of(of_reference, text_size);
+        if (plot.has_level(level)) levels_width += mark_symbol + svg_text_width(trade.levels[level], text_size) + gap;
+    double others_width = plot.is_empty() ? 0 : line_symbol + svg_text_width(of_front, text_size);
+    if (plot.has_reference()) others_width += gap + ring_symbol + svg_text_width(of_reference, text_size);
     const bool has_two_lines = left + levels_width + others_width > width;
 
     double x = left, y = has_two_lines ? top - 36 : top - 24;
     std::string all;
     const auto add = [&](const std::string& symbol, double symbol_width, const std::string& words) {
-        all += symbol + text({x + symbol_width, y + 4.5}, words, Align::start);
-        x += symbol_width + width_of(words, text_size) + gap;
+        all += symbol + svg_text({x + symbol_width, y + 4.5}, words, SvgAlign::start);
+        x += symbol_width + svg_text_width(words, text_size) + gap;
     };
     for (std::size_t level = 0; level < trade.levels.size(); ++level)
         if (plot.has_level(level)) add(mark(level, {x + 6, y}, true), mark_symbol, trade.levels[level]);
@@ -274,8 +242,8 @@ std::string legend(const TradeFacts& trade, const Plot& plot) {
         x = left;
         y = top - 16;
     }
-    add(line({x, y}, {x + 22, y}, frame, " stroke-width=\"1.6\"") +
-            fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>", x + 11, y, soft),
+    add(svg_line({x, y}, {x + 22, y}, svg_frame, " stroke-width=\"1.6\"") +
+            fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>", x + 11, y, svg_soft),
         line_symbol, of_front);
     if (plot.has_reference()) add(ring({x + 9, y}), ring_symbol, of_reference);
     return all;
@@ -305,18 +273,13 @@ std::string trade_picture(const TradeFacts& trade) {
     const std::string name = shortened(trade.name, longest_name);
     const std::string what = "error over processor time" +
                              (trade.simulated > 0 ? fmt::format(" of {:.4g} s simulated", trade.simulated) : "");
-    std::string all = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
-        "aria-label=\"{2}\" font-family=\"system-ui, 'Segoe UI', Roboto, Helvetica, Arial, sans-serif\" "
-        "font-size=\"{3}\" fill=\"{4}\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-        width, height, escaped(name + ": " + what), text_size, soft);
-    all +=
-        text({left, 30}, name, Align::start, fmt::format(" font-size=\"16\" font-weight=\"600\" fill=\"{}\"", dark)) +
-        text({left, 50}, what, Align::start);
+    std::string all = svg_text({left, 30}, name, SvgAlign::start,
+                               fmt::format(" font-size=\"16\" font-weight=\"600\" fill=\"{}\"", svg_dark)) +
+                      svg_text({left, 50}, what, SvgAlign::start);
     all += legend(trade, plot) + plot.svg();
     for (std::size_t k = 0; k < below.size(); ++k)
-        all += text({left, bottom + 62 + line_height * static_cast<double>(k)}, below[k], Align::start);
-    return all + "</svg>\n";
+        all += svg_text({left, bottom + 62 + line_height * static_cast<double>(k)}, below[k], SvgAlign::start);
+    return svg_picture(width, height, name + ": " + what, all);
 }
 
 void write_trade_picture(const std::filesystem::path& folder) {

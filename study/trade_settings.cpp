@@ -18,6 +18,7 @@
 #include "scene/toml_node.hpp"
 #include "study/input_files.hpp"
 #include "study/measure_columns.hpp"
+#include "study/written_study.hpp"
 
 namespace dmp::study {
 
@@ -73,24 +74,6 @@ std::map<Quality, Scene> different_levels(const TradeScene& scene) {
         if (seen.insert(what_acts(at_level)).second) different.emplace(quality, std::move(at_level));
     }
     return different;
-}
-
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t");
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-/// What is set in all runs, besides what the settings set, as TOML; of a key that is given twice the last one. Threads
-/// are not a run's own.
-std::map<std::string, std::string> common_values(const TradeScene& scene, const TradeSettings& settings) {
-    std::map<std::string, std::string> values;
-    for (const std::string& each : scene.overrides) {
-        const auto equals = each.find('=');
-        const std::string key = trimmed(each.substr(0, equals));
-        if (key == "run.threads" || settings.sets(each)) continue;
-        values[key] = toml_text(parse_toml_value(each.substr(equals + 1), {}));
-    }
-    return values;
 }
 
 double rank_of(Quality quality) {
@@ -197,7 +180,7 @@ class Rows {
 }  // namespace
 
 bool TradeSettings::sets(const std::string& assignment) const {
-    return std::ranges::find(keys, trimmed(assignment.substr(0, assignment.find('=')))) != keys.end();
+    return std::ranges::find(keys, key_set_by(assignment)) != keys.end();
 }
 
 std::vector<double> TradeSettings::costs() const {
@@ -243,27 +226,22 @@ std::string trade_identity(const TradeScene& scene) {
 
 std::string trade_study(const TradeScene& scene, const TradeSettings& settings, const fs::path& folder) {
     const Scene read = with(scene, {});
-    const std::size_t runs = settings.settings.size();
-    std::string text =
-        "# Written by 'dmp trade': settings of the scene whose costs and errors it compares, cheapest first.\ntitle "
-        "= " +
-        toml_quoted("Cost and error: " + (read.title->empty() ? scene.path : *read.title)) +
-        "\npurpose = \"What the settings of the scene cost, and how far their results lie apart; trade.json has the "
-        "errors.\"\nscene = " +
-        toml_quoted(fs::absolute(scene.path)
-                        .lexically_normal()
-                        .lexically_proximate(fs::absolute(folder).lexically_normal())
-                        .string()) +
-        "\ncombine = \"zip\"\nleave_out = [\"frames\", \"pictures\", \"page\"]\n";
-    const auto vary = [&](const std::string& key, const std::vector<std::string>& values) {
-        text += "\n[[vary]]\nkey = " + toml_quoted(key) + fmt::format("\nvalues = [{}]\n", fmt::join(values, ", "));
-    };
+    WrittenStudy study;
+    study.comment = "Written by 'dmp trade': settings of the scene whose costs and errors it compares, cheapest first.";
+    study.title = "Cost and error: " + (read.title->empty() ? scene.path : *read.title);
+    study.purpose =
+        "What the settings of the scene cost, and how far their results lie apart; trade.json has the errors.";
+    study.scene = scene.path;
     for (std::size_t k = 0; k < settings.keys.size(); ++k) {
-        std::vector<std::string> values;
+        std::vector<std::string>& values =
+            study.columns.emplace_back(settings.keys[k], std::vector<std::string>()).second;
         for (const TradeSetting& setting : settings.settings) values.push_back(setting.values[k]);
-        vary(settings.keys[k], values);
     }
-    for (const auto& [key, value] : common_values(scene, settings)) vary(key, std::vector(runs, value));
+    std::map<std::string, std::string> common = values_set(scene.overrides);
+    for (const std::string& key : settings.keys) common.erase(key);
+    for (const auto& [key, value] : common)
+        study.columns.emplace_back(key, std::vector(settings.settings.size(), value));
+    std::string text = study_text(study, folder);
     // For the page's plots: numbers by which people see the runs converge.
     for (const Measure& measure : read_scene(scene.path).measures) {
         if (columns_of(*measure.kind).count != MeasureColumns::Count::one) continue;

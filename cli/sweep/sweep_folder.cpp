@@ -16,6 +16,7 @@
 #include "cli/sweep/sweep_table.hpp"
 #include "cli/text.hpp"
 #include "cli/version.hpp"
+#include "report/limits_facts.hpp"
 #include "report/study_files.hpp"
 #include "report/trade_facts.hpp"
 #include "report/write_report.hpp"
@@ -136,8 +137,9 @@ std::string remove_study(const fs::path& folder) {
     fs::remove(folder / runs_name, none);
     SlurmFolder(folder).remove();
     // What says that this is a study last: a removal that is stopped can be gone on with.
-    for (const char* name : {trade_picture_name, trade_file_name, report_file_name, study_facts_name, study_log_name,
-                             sweep_results_name, sweep_timing_name, study_copy_name, scene_copy_name, sweep_file_name})
+    for (const char* name : {trade_picture_name, trade_file_name, limits_picture_name, limits_file_name,
+                             report_file_name, study_facts_name, study_log_name, sweep_results_name, sweep_timing_name,
+                             study_copy_name, scene_copy_name, sweep_file_name})
         fs::remove(folder / name);
     return fmt::format("Removed {} of an earlier study from {}; nothing else in it was touched.\n",
                        count_text(runs.folders.size(), "run"), folder.string());

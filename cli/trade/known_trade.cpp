@@ -2,7 +2,6 @@
 #include "cli/trade/known_trade.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "base/shell_word.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/scene_name.hpp"
+#include "cli/sweep/study_options.hpp"
 #include "cli/text.hpp"
 #include "cli/trade/trade_outcome.hpp"
 #include "cli/version.hpp"
@@ -93,18 +93,6 @@ std::string version_text(const JsonValue& trade) {
 }
 
 }  // namespace
-
-double tolerance_of(const std::string& text) {
-    double value = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    std::string_view unit(read.ptr, static_cast<std::size_t>(text.data() + text.size() - read.ptr));
-    unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
-    const double part = unit == "%" ? value / 100 : value;
-    if (read.ec != std::errc() || (!unit.empty() && unit != "%") || !(part > 0 && part < 1))
-        throw InputError({"--tolerance", 0, 0}, "'" + text + "' is no error above 0 and below 100 %",
-                         "Give one such as \"5 %\", or 0.05.");
-    return part;
-}
 
 KnownSetting known_setting(const SceneChoice& scene, const std::string& tolerance, const std::string& folder,
                            const std::string& program) {

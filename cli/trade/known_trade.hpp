@@ -8,9 +8,6 @@
 
 namespace dmp::cli {
 
-/// "5 %", or "0.05". Throws InputError where it is no number above 0.
-[[nodiscard]] double tolerance_of(const std::string& text);
-
 /// The cheapest setting that a trade of a scene has found for an error.
 struct KnownSetting {
     SceneChoice scene;  ///< with what --set takes for it

@@ -17,6 +17,7 @@
 #include "cli/scene_name.hpp"
 #include "cli/stop_signals.hpp"
 #include "cli/sweep/slurm_sweep.hpp"
+#include "cli/sweep/sweep_budget.hpp"
 #include "cli/sweep/sweep_dry_run.hpp"
 #include "cli/sweep/sweep_folder.hpp"
 #include "cli/sweep/sweep_page.hpp"
@@ -24,7 +25,6 @@
 #include "cli/sweep/sweep_runs.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
-#include "cli/trade/trade_budget.hpp"
 #include "cli/trade/trade_outcome.hpp"
 #include "cli/trade/trade_request.hpp"
 #include "cli/uses.hpp"
@@ -38,7 +38,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Throws where the budget has ended before two settings could be compared.
-void need_enough_budget(const TradeOutcome& outcome, const TradeBudget& budget, const TradeRequest& trade,
+void need_enough_budget(const TradeOutcome& outcome, const SweepBudget& budget, const TradeRequest& trade,
                         const TypedCommand& typed) {
     if (outcome.is_known()) return;
     std::string would = "not even one run has ended within it";
@@ -52,7 +52,7 @@ void need_enough_budget(const TradeOutcome& outcome, const TradeBudget& budget, 
                      "Give more, or a shorter run with --until, and go on:\n  " + typed.with("--resume"));
 }
 
-std::string left_text(const TradeRequest& trade, const SweepCounts& counts, const TradeBudget& budget,
+std::string left_text(const TradeRequest& trade, const SweepCounts& counts, const SweepBudget& budget,
                       const TradeOutcome& outcome, const TypedCommand& typed) {
     std::vector<std::size_t> left;
     for (std::size_t index = 0; index < outcome.settings.settings.size(); ++index)
@@ -68,7 +68,7 @@ std::string left_text(const TradeRequest& trade, const SweepCounts& counts, cons
 
 /// Tells and writes what is known when no more is run now. `left_in_queue`: what there is to say of jobs that go on.
 /// Returns the exit code.
-int close(const TradeCommand& command, const TradeRequest& trade, const SweepRows& rows, const TradeBudget& budget,
+int close(const TradeCommand& command, const TradeRequest& trade, const SweepRows& rows, const SweepBudget& budget,
           const StopSignals& signals, const std::string& left_in_queue) {
     const fs::path& folder = rows.folder().path();
     TradeOutcome outcome = trade_outcome(folder, trade.read, trade.settings, rows.points(), trade.comparison);
@@ -114,7 +114,7 @@ std::string threads_text(int threads) { return count_text(static_cast<std::size_
 /// On this machine.
 int run_here(const TradeCommand& command, const TradeRequest& trade, SweepRows& rows, SweepSettings settings) {
     const StopSignals signals;
-    const TradeBudget budget(trade.budget, trade.settings, rows.points(), rows.folder().path(), settings.jobs,
+    const SweepBudget budget(trade.budget, trade.settings.costs(), rows.points(), rows.folder().path(), settings.jobs,
                              settings.threads);
     settings.may_start = [&](std::size_t index) { return budget.may_start(index); };
     settings.stop_at = budget.end();
@@ -127,7 +127,7 @@ int run_in_jobs(const TradeCommand& command, const TradeRequest& trade, SweepRow
     const StopSignals signals;
     SlurmRuns runs(rows, std::move(queue), settings);
     runs.run(signals);
-    const TradeBudget none({}, trade.settings, rows.points(), rows.folder().path(), 1, 1);
+    const SweepBudget none({}, trade.settings.costs(), rows.points(), rows.folder().path(), 1, 1);
     return close(command, trade, rows, none, signals, runs.left_text());
 }
 

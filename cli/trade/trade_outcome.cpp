@@ -10,6 +10,7 @@
 #include "base/nearest_name.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/scene_name.hpp"
+#include "cli/sweep/compared_columns.hpp"
 #include "cli/sweep/sweep_folder.hpp"
 #include "postproc/tables.hpp"
 #include "report/trade_facts.hpp"
@@ -22,22 +23,6 @@ namespace dmp::cli {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Columns that all tables have, in the order of the first one, without those that count particles.
-std::vector<std::string> common_columns(const std::vector<MeasureSeries>& tables, const Scene& scene,
-                                        const std::vector<std::string>& measures) {
-    std::vector<std::string> columns;
-    for (const std::string& name : tables.front().names) {
-        const auto is_of = [&](const std::string& measure) { return study::is_column_of(scene, measure, name); };
-        const bool asked = measures.empty() || std::ranges::any_of(measures, is_of);
-        const auto has_it = [&](const MeasureSeries& table) {
-            return std::ranges::find(table.names, name) != table.names.end();
-        };
-        if (asked && std::ranges::all_of(tables, has_it) && !study::counts_particles(scene, name))
-            columns.push_back(name);
-    }
-    return columns;
-}
 
 /// velocity_x, velocity_y and velocity_z are of one vector, all others of their own. What the scene says that they
 /// should be is taken at the times of the finest run.
@@ -52,13 +37,6 @@ std::vector<study::TradeColumn> trade_columns(const std::vector<std::string>& co
             column.exact = study::exact_series(scene, *reference, times);
     }
     return all;
-}
-
-study::TimeSeries column(const MeasureSeries& table, const std::string& name) {
-    const auto at = static_cast<std::size_t>(std::ranges::find(table.names, name) - table.names.begin());
-    study::TimeSeries series;
-    for (std::size_t i = 0; i < table.rows.size(); ++i) series.add(table.time[i], table.rows[i][at]);
-    return series;
 }
 
 void need_columns(const std::vector<std::string>& columns, const Scene& scene, const std::vector<std::string>& measures,
@@ -144,7 +122,7 @@ TradeOutcome trade_outcome(const fs::path& folder, const Scene& scene, const stu
         const auto& names = tables.front().names;
         outcome.units.push_back(
             tables.front().units[static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())]);
-        for (std::size_t r = 0; r < tables.size(); ++r) outcome.runs[r].measures.push_back(column(tables[r], name));
+        for (std::size_t r = 0; r < tables.size(); ++r) outcome.runs[r].measures.push_back(column_of(tables[r], name));
     }
     outcome.errors =
         study::trade_errors(outcome.settings, outcome.runs, trade_columns(outcome.columns, scene, tables.back().time));

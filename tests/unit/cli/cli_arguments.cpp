@@ -170,7 +170,7 @@ TEST(Arguments, UnknownCommandFarFromAllListsThem) {
     const auto error = error_of({"xyzzy"});
     EXPECT_EQ(error.problem(), "there is no command 'xyzzy'");
     EXPECT_THAT(error.what_to_do(),
-                HasSubstr("'run', 'sweep', 'trade', 'mesh', 'inspect', 'new', 'convert', 'pictures', "
+                HasSubstr("'run', 'sweep', 'trade', 'limits', 'mesh', 'inspect', 'new', 'convert', 'pictures', "
                           "'report', 'explain', 'escape' and 'doctor'"));
 }
 

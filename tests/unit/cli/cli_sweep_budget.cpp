@@ -6,28 +6,24 @@
 
 #include "base/safe_file.hpp"
 #include "cli/output_folder.hpp"
+#include "cli/sweep/sweep_budget.hpp"
 #include "cli/sweep/sweep_folder.hpp"
 #include "cli/sweep/sweep_table.hpp"
-#include "cli/trade/trade_budget.hpp"
 #include "solver/results/plan.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/study/study_text.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp::tests::trade_budget_tests {
+namespace dmp::tests::sweep_budget_tests {
 namespace {
 
 using namespace cli;
 constexpr double hour = 3600;  // [s]: what a test takes is nothing beside it
 
-/// Six settings, whose costs are 1, 2, 4, 8, 16 and 32.
-class TradeBudgets : public testing::Test {
+/// Six runs, whose costs are 1, 2, 4, 8, 16 and 32.
+class SweepBudgets : public testing::Test {
   protected:
-    TradeBudgets() {
-        for (const double cost : {1, 2, 4, 8, 16, 32}) {
-            settings_.settings.emplace_back();
-            settings_.settings.back().cost = cost;
-        }
+    SweepBudgets() {
         write_file(folder_.path() / sweep_timing_name, "run,wall_s,processor_s,peak_memory_bytes,exit_code\n");
     }
     void took(std::size_t index, double wall_hours, double processor_hours) const {
@@ -41,25 +37,24 @@ class TradeBudgets : public testing::Test {
         write_file(run / measures_file_name, "time [s]\n0\n");
         write_file(run / summary_file_name, R"({"interrupted": false, "simulated_s": 4})");
     }
-    [[nodiscard]] TradeBudget budget(std::optional<double> hours, int jobs = 1, int threads = 1) const {
+    [[nodiscard]] SweepBudget budget(std::optional<double> hours, int jobs = 1, int threads = 1) const {
         if (hours) *hours *= hour;
-        return {hours, settings_, points_, folder_.path(), jobs, threads};
+        return {hours, {1, 2, 4, 8, 16, 32}, points_, folder_.path(), jobs, threads};
     }
 
     study::Study study_ = study_of(good_study);
     study::Points points_{study_};
-    study::TradeSettings settings_;
     TemporaryFolder folder_;
 };
 
-TEST_F(TradeBudgets, ExpectsNothingBeforeARunHasEnded) {
+TEST_F(SweepBudgets, ExpectsNothingBeforeARunHasEnded) {
     EXPECT_FALSE(budget({}).expected({0}));
     EXPECT_TRUE(budget(1).may_start(5));
     took(0, 0.5, 0.5);  // of a run that was stopped
     EXPECT_FALSE(budget({}).expected({0}));
 }
 
-TEST_F(TradeBudgets, ExpectsByTheMostExpensiveRunThatHasEnded) {
+TEST_F(SweepBudgets, ExpectsByTheMostExpensiveRunThatHasEnded) {
     ended(0);
     took(0, 1, 5);
     ended(1);
@@ -67,7 +62,7 @@ TEST_F(TradeBudgets, ExpectsByTheMostExpensiveRunThatHasEnded) {
     EXPECT_NEAR(*budget({}).expected({2, 3}), 12 * hour, 1);
 }
 
-TEST_F(TradeBudgets, StartsWhatIsExpectedToEndWithinIt) {
+TEST_F(SweepBudgets, StartsWhatIsExpectedToEndWithinIt) {
     ended(1);
     took(1, 2, 2);
     EXPECT_TRUE(budget(6.1).may_start(2)) << "2 h spent, 4 h to come";
@@ -78,7 +73,7 @@ TEST_F(TradeBudgets, StartsWhatIsExpectedToEndWithinIt) {
     EXPECT_FALSE(budget(1.9).may_start(0)) << "spent";
 }
 
-TEST_F(TradeBudgets, CountsWhatAStoppedRunHasBehindIt) {
+TEST_F(SweepBudgets, CountsWhatAStoppedRunHasBehindIt) {
     ended(1);
     took(1, 2, 2);
     took(2, 3, 3);
@@ -86,7 +81,7 @@ TEST_F(TradeBudgets, CountsWhatAStoppedRunHasBehindIt) {
     EXPECT_FALSE(budget(5.9).may_start(2));
 }
 
-TEST_F(TradeBudgets, EndsWhenItIsSpent) {
+TEST_F(SweepBudgets, EndsWhenItIsSpent) {
     took(0, 2, 2);
     const auto left = std::chrono::duration<double>(budget(3).end() - WallClock::now()).count();
     EXPECT_LT(left, hour + 1);
@@ -96,4 +91,4 @@ TEST_F(TradeBudgets, EndsWhenItIsSpent) {
 }
 
 }  // namespace
-}  // namespace dmp::tests::trade_budget_tests
+}  // namespace dmp::tests::sweep_budget_tests

@@ -1,0 +1,296 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/limit_dial_list.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/number_text.hpp"
+#include "base/unlisted_value.hpp"
+#include "models/sph/kernels.hpp"
+#include "scene/quantity.hpp"
+#include "scene/toml_node.hpp"
+
+namespace dmp::study {
+
+namespace {
+
+using Keys = std::vector<DialKey>;
+using Found = std::vector<Keys>;
+
+const std::vector<DialSide> up{DialSide::up}, down{DialSide::down}, both{DialSide::up, DialSide::down};
+
+std::string with_unit(const std::string& number, const std::string& unit) {
+    return unit.empty() ? number : toml_quoted(number + " " + unit);
+}
+
+DialKey key_of(std::string key, double own, std::string unit = "") {
+    DialKey made{std::move(key), own, std::move(unit), "", {}};
+    made.own_toml = with_unit(exact_text(own), made.unit);
+    made.toml = [own, unit = made.unit](double factor) {
+        return with_unit(number_text(own * factor, rung_digits), unit);
+    };
+    return made;
+}
+
+/// Of a key that is "auto" in the scene.
+DialKey auto_key(std::string key, double value, std::string unit) {
+    DialKey made = key_of(std::move(key), value, std::move(unit));
+    made.own_toml = toml_quoted("auto");
+    return made;
+}
+
+Found one_if(bool has_it, DialKey key) {
+    if (!has_it) return {};
+    return {Keys{std::move(key)}};
+}
+
+bool has_flow(const DialScene& of) { return !of.facts.at_rest && !of.scene.parts_of(PartKind::fluid).empty(); }
+bool has_spheres(const DialScene& of) { return !of.scene.parts_of(PartKind::spheres).empty(); }
+bool has_auto_sound(const DialScene& of) { return has_flow(of) && !of.scene.numerics.sound_speed.given(); }
+
+std::string key_of_part(const Part& part, const char* key) { return "part." + *part.name + "." + key; }
+
+/// A dial for each enabled part of a kind: of those of its keys that have a value.
+Found of_parts(const DialScene& of, PartKind kind,
+               const std::vector<std::tuple<const char*, Value<double> Part::*, const char*>>& keys) {
+    Found all;
+    for (const Part* part : of.scene.parts_of(kind)) {
+        Keys its;
+        for (const auto& [key, member, unit] : keys)
+            if (const double value = part->*member; value > 0)
+                its.push_back(key_of(key_of_part(*part, key), value, unit));
+        if (!its.empty()) all.push_back(std::move(its));
+    }
+    return all;
+}
+
+/// Largest stable c dt / R by linear theory.
+template <int D>
+double sound_limit_of(KernelKind kind) {
+    switch (kind) {
+        case KernelKind::wendland_c2:
+            return WendlandC2<D>::sound_limit;
+        case KernelKind::wendland_c4:
+            return WendlandC4<D>::sound_limit;
+        case KernelKind::lucy:
+            return Lucy<D>::sound_limit;
+        case KernelKind::cubic_spline:
+            return CubicSpline<D>::sound_limit;
+        case KernelKind::quintic_spline:
+            return QuinticSpline<D>::sound_limit;
+    }
+    unlisted_value(kind);
+}
+
+/// c0 dt / R above which the corrected scheme is unstable, measured (docs/scheme.md): of liquids and walls, and where
+/// elastic nodes, stepped implicitly or sub-cycled, are as heavy as the liquid that they displace.
+constexpr double of_liquid = 0.7, of_elastic = 0.6, of_subcycled_elastic = 0.4;
+
+/// The step is step_factor R / (c0 + U).
+std::optional<StatedLimit> largest_step_factor(const DialScene& of) {
+    const double c0 = of.facts.sound_speed;
+    const auto at = [&](double limit, const std::string& source) {
+        return StatedLimit{limit * (c0 + of.facts.largest_speed) / c0,
+                           "c0 dt / R = " + number_text(limit, 3) + ", " + source};
+    };
+    switch (*of.scene.numerics.scheme) {
+        case FluidScheme::corrected:
+            if (!of.scene.may_have_elastic()) return at(of_liquid, "measured");
+            return *of.scene.numerics.spring_stepping == SpringStepping::subcycled
+                       ? at(of_subcycled_elastic, "measured, with sub-cycled elastic solids")
+                       : at(of_elastic, "measured, with elastic solids");
+        case FluidScheme::plain:
+            return at(*of.scene.dimension == 3 ? sound_limit_of<3>(of.scene.numerics.kernel)
+                                               : sound_limit_of<2>(of.scene.numerics.kernel),
+                      "linear theory of the kernel");
+    }
+    unlisted_value(*of.scene.numerics.scheme);
+}
+
+/// The species' diffusivities, all by the same factor.
+DialKey diffusivities_of(const Species& species) {
+    const ByPart<double>& given = species.diffusivity;
+    if (given.all) return key_of("species." + *species.name + ".diffusivity", **given.all, "m^2/s");
+    const auto text = [parts = given.parts](const std::function<std::string(double)>& number) {
+        std::string items;
+        for (const auto& [part, value] : parts)
+            items += (items.empty() ? "" : ", ") + toml_quoted(part) + " = " + with_unit(number(*value), "m^2/s");
+        return "{" + items + "}";
+    };
+    double largest = 0;
+    for (const auto& [part, value] : given.parts) largest = std::max(largest, *value);
+    DialKey made{"species." + *species.name + ".diffusivity", largest, "m^2/s", text(exact_text), {}};
+    made.toml = [text](double factor) {
+        return text([factor](double own) { return number_text(own * factor, rung_digits); });
+    };
+    return made;
+}
+
+Found diffusivities(const DialScene& of) {
+    Found all;
+    for (const Species& species : of.scene.species)
+        if (DialKey key = diffusivities_of(species); key.own > 0) all.push_back({std::move(key)});
+    return all;
+}
+
+Found contact_strength(const DialScene& of) {
+    const Value<double>& given = of.scene.contact.strength;
+    if (!(of.facts.contact_strength > 0) || !of.scene.may_have_elastic()) return {};
+    return {{*given > 0 ? key_of("contact.strength", *given, "J")
+                        : auto_key("contact.strength", of.facts.contact_strength, "J")}};
+}
+
+std::vector<DialRow> rows() {
+    return {
+        {"time step of the fluid, in multiples of R / (c0 + U)",
+         up,
+         false,
+         [](const DialScene& of) {
+             return one_if(has_flow(of), key_of("numerics.step_factor", of.scene.numerics.step_factor));
+         },
+         {{"sound", 1}},
+         true,
+         largest_step_factor},
+        {"Mach number, which sets the speed of sound",
+         up,
+         false,
+         [](const DialScene& of) {
+             return one_if(has_auto_sound(of), key_of("numerics.mach_number", of.scene.numerics.mach_number));
+         },
+         {{"sound", 1}}},
+        {"speed of sound",
+         down,
+         false,
+         [](const DialScene& of) {
+             return one_if(has_flow(of) && !has_auto_sound(of),
+                           key_of("numerics.sound_speed", of.scene.numerics.sound_speed, "m/s"));
+         },
+         {{"sound", -1}}},
+        {"support of the kernel, in spacings",
+         both,
+         false,
+         [](const DialScene& of) {
+             return one_if(!of.scene.parts_of(PartKind::fluid).empty(),
+                           key_of("numerics.support", of.scene.numerics.support));
+         },
+         {{"sound", 1}, {"viscosity", 2}, {"species", 2}}},
+        {"distance between particles",
+         up,
+         false,
+         [](const DialScene& of) {
+             return one_if(of.scene.particles.spacing.given(),
+                           key_of("particles.spacing", of.scene.particles.spacing, "m"));
+         },
+         {{"sound", 1}, {"viscosity", 2}, {"species", 2}}},
+        {"strength of shifting; with the corrected scheme held at s c0 dt / R = 0.1",
+         both,
+         false,
+         [](const DialScene& of) {
+             return one_if(has_flow(of) && *of.scene.numerics.shifting > 0,
+                           key_of("numerics.shifting", of.scene.numerics.shifting));
+         },
+         {{"shifting", -1}}},
+        {"strength of density diffusion; beyond 0.12 over the step factor, steps become shorter",
+         both,
+         false,
+         [](const DialScene& of) {
+             return one_if(has_flow(of) && *of.scene.numerics.density_diffusion > 0,
+                           key_of("numerics.density_diffusion", of.scene.numerics.density_diffusion));
+         },
+         {{"density diffusion", -1}}},
+        {"time step of elastic solids, as a part of the largest stable one",
+         up,
+         false,
+         [](const DialScene& of) {
+             return one_if(
+                 of.scene.may_have_elastic() && *of.scene.numerics.spring_stepping == SpringStepping::subcycled,
+                 key_of("numerics.spring_step_factor", of.scene.numerics.spring_step_factor));
+         },
+         {},
+         false,
+         [](const DialScene&) {
+             return std::optional(StatedLimit{1, "2 / omega_max of the initial lattice"});
+         }},
+        {"range of the repulsion, in spacings", both, false,
+         [](const DialScene& of) {
+             return one_if(of.facts.contact_strength > 0 && of.scene.may_have_elastic(),
+                           key_of("contact.range", of.scene.contact.range));
+         }},
+        {"strength of the repulsion", both, false, contact_strength, {{"contact", -0.5}}},
+        {"steps in the shortest impact of spheres",
+         down,
+         false,
+         [](const DialScene& of) {
+             return one_if(has_spheres(of) && *of.scene.numerics.contact_step == 0,
+                           key_of("numerics.steps_per_contact", of.scene.numerics.steps_per_contact));
+         },
+         {{"contact of", -1}, {"adhesion of", -1}, {"Rayleigh", -1}},
+         true},
+        {"time step of spheres",
+         up,
+         false,
+         [](const DialScene& of) {
+             return one_if(has_spheres(of) && *of.scene.numerics.contact_step > 0,
+                           key_of("numerics.contact_step", of.scene.numerics.contact_step, "s"));
+         },
+         {{"contact_step", 1}}},
+        {"viscosity of a liquid",
+         both,
+         true,
+         [](const DialScene& of) {
+             return has_flow(of) ? of_parts(of, PartKind::fluid, {{"viscosity", &Part::viscosity, "Pa*s"}}) : Found{};
+         },
+         {{"viscosity", -1}}},
+        {"density of one of several liquids", both, true,
+         [](const DialScene& of) {
+             return has_flow(of) && of.scene.parts_of(PartKind::fluid).size() > 1
+                        ? of_parts(of, PartKind::fluid, {{"density", &Part::density, "kg/m^3"}})
+                        : Found{};
+         }},
+        {"stiffness of an elastic solid",
+         both,
+         true,
+         [](const DialScene& of) {
+             return of_parts(of, PartKind::elastic,
+                             {{"youngs_modulus", &Part::youngs_modulus, "Pa"},
+                              {"bending_stiffness", &Part::bending_stiffness, "N*m^2"},
+                              {"axial_stiffness", &Part::axial_stiffness, "N"},
+                              {"shear_stiffness", &Part::shear_stiffness, "N"}});
+         },
+         {{"elastic", -0.5}}},
+        {"mass of an elastic solid",
+         both,
+         true,
+         [](const DialScene& of) {
+             return of_parts(
+                 of, PartKind::elastic,
+                 {{"mass_per_length", &Part::mass_per_length, "kg/m"}, {"density", &Part::density, "kg/m^3"}});
+         },
+         {{"elastic", 0.5}, {"light solids", 0.5}, {"viscosity at light solids", 1}}},
+        {"stiffness of spheres",
+         both,
+         true,
+         [](const DialScene& of) {
+             return of_parts(of, PartKind::spheres, {{"youngs_modulus", &Part::youngs_modulus, "Pa"}});
+         },
+         {{"contact of", -0.4}, {"adhesion of", -0.5}, {"Rayleigh", -0.5}}},
+        {"mass of spheres",
+         both,
+         true,
+         [](const DialScene& of) {
+             return of_parts(of, PartKind::spheres,
+                             {{"density", &Part::density, "kg/m^3"}, {"mass", &Part::mass, "kg"}});
+         },
+         {{"contact of", 0.4}, {"adhesion of", 0.5}, {"Rayleigh", 0.5}}},
+        {"diffusivity of a species", both, true, diffusivities, {{"species", -1}}},
+    };
+}
+
+}  // namespace
+
+const std::vector<DialRow>& dial_list() {
+    static const std::vector<DialRow> list = rows();
+    return list;
+}
+
+}  // namespace dmp::study
