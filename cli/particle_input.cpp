@@ -123,6 +123,13 @@ Origin origin_of(const std::filesystem::path& file, const ParticleSet& particles
     for (const Dihedral& dihedral : particles.dihedrals) dihedrals[part_of(dihedral.b)].add(dihedral.stiffness);
     for (std::size_t n = 0; n < particles.parts.size(); ++n) {
         if (particles.parts[n].kind != PartKind::elastic) continue;
+        const auto cells =
+            std::ranges::count_if(particles.cells, [&](const SolidCell& cell) { return part_of(cell.particle) == n; });
+        if (cells > 0) {
+            origin.springs.emplace_back("cells " + particles.parts[n].name,
+                                        count_text(static_cast<std::size_t>(cells), "cell") + ", from the file");
+            continue;
+        }
         const std::string folds = particles.dihedrals.empty() ? "" : ", k_d " + dihedrals[n].text("J");
         origin.springs.emplace_back(
             "springs " + particles.parts[n].name,

@@ -113,7 +113,7 @@ std::string summary_text(const Scene& scene, const RunSummary& summary) {
     }
     if (scene.parts_of(PartKind::spheres).empty()) list.add("density", density_text(scene, summary));
     for (const LargestStrain& strain : summary.strains)
-        list.add("strain", fmt::format("{} to {} along the bonds of '{}'", percent_text(strain.compressed),
+        list.add("strain", fmt::format("{} to {} in '{}'", percent_text(strain.compressed),
                                        percent_text(strain.stretched), strain.name));
     list.add("lost", count_text(summary.lost, "particle"));
     const std::string first = fmt::format("{}: {:.4g} s simulated in {}", summary.interrupted ? "Interrupted" : "Done",

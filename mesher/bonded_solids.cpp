@@ -18,6 +18,7 @@
 #include "mesher/bond_network.hpp"
 #include "mesher/uses.hpp"
 #include "particles/cell_grid.hpp"
+#include "particles/cell_pieces.hpp"
 
 namespace dmp::mesher {
 
@@ -130,6 +131,7 @@ void bond_solids(MeshResult& result, const Geometry& geometry, const Scene& scen
 
 void number_bodies(ParticleSet& set) {
     DisjointSets together(set.size());
+    join_cells(set, together);
     for (const Bond& bond : set.bonds)
         together.join(static_cast<std::size_t>(bond.a), static_cast<std::size_t>(bond.b));
     std::vector<int> body_of(set.size(), -1);  // by the lowest particle, of a wall or not

@@ -29,25 +29,56 @@ BoxLattice boxes_of(const ParticleSpace& space, const Vec& step, const Vec& orig
         if (!space.periodic[axis]) continue;
         boxes.period[axis] = static_cast<int>(std::lround(space.box.extent()[axis] / step[axis]));
         boxes.origin[axis] = space.box.low[axis];
+        boxes.first[axis] = 0;
+        boxes.last[axis] = boxes.period[axis];
+    }
+    for (int axis = 0; axis < space.dimension; ++axis) {
+        const auto number = [&](const Vec& corner) {
+            return static_cast<int>(std::lround((corner[axis] - boxes.origin[axis]) / step[axis]));
+        };
+        if (space.mirrored[axis][0]) boxes.first[axis] = number(space.box.low);
+        if (space.mirrored[axis][1]) boxes.last[axis] = number(space.box.high);
     }
     return boxes;
 }
 
 void hold_on_planes(const ParticleSpace& space, SolidCells& cells) {
-    constexpr double on_it = 1e-6;  // [spacings]
-    for (CellNode& node : cells.nodes)
+    constexpr double on_it = 1e-6, reaches = 0.1;  // [spacings]
+    for (std::size_t n = 0; n < cells.cells.size(); ++n)
         for (int axis = 0; axis < space.dimension; ++axis)
             for (const int side : {0, 1}) {
                 if (!space.mirrored[axis][side]) continue;
                 const double plane = (side == 0 ? space.box.low : space.box.high)[axis];
-                if (std::abs(node.position[axis] - plane) < on_it * space.spacing) node.on_plane[axis] = true;
+                // Half the thickness of a slab with this second moment.
+                const double half = std::sqrt(3 * cells.fillings[n].moment[axis]);
+                if (std::abs(cells.fillings[n].centroid[axis] - plane) > half + reaches * space.spacing) continue;
+                for (const int number : corners(cells, n, space.dimension)) {
+                    CellNode& node = cells.nodes[number];
+                    if (std::abs(node.position[axis] - plane) < on_it * space.spacing) node.on_plane[axis] = true;
+                }
             }
 }
 
-bool is_clamped(const Vec& from_anchor, const Vec& normal, double spacing) {
+bool is_clamped(const Vec& from_anchor, const Vec& normal, double spacing, bool is_of_cut_cells) {
     constexpr double a_little = 1e-6;
     const double off = from_anchor.dot(normal), beside = (from_anchor - off * normal).norm();
-    return std::abs(off) <= (0.5 + a_little) * spacing && beside <= (1 + a_little) * spacing;
+    return std::abs(off) <= (0.5 + a_little) * spacing && beside <= ((is_of_cut_cells ? 1 : 0) + a_little) * spacing;
+}
+
+std::vector<bool> nodes_of_cut_cells(const SolidCells& cells, int dimension) {
+    std::vector<bool> of_cut(cells.nodes.size(), true);
+    for (std::size_t n = 0; n < cells.cells.size(); ++n)
+        if (cells.fillings[n].volume >= (1 - 1e-6) * cells.cells[n].size.head(dimension).prod())
+            for (const int node : corners(cells, n, dimension)) of_cut[static_cast<std::size_t>(node)] = false;
+    return of_cut;
+}
+
+void clamp_cell_at(const Vec& point, int dimension, double spacing, SolidCells& cells) {
+    const auto distance = [&](const Filling& filling) { return (filling.centroid - point).norm(); };
+    const auto nearest = std::ranges::min_element(cells.fillings, {}, distance);
+    if (distance(*nearest) > 1.5 * spacing) return;
+    for (const int node : corners(cells, static_cast<std::size_t>(nearest - cells.fillings.begin()), dimension))
+        cells.nodes[node].fixed = true;
 }
 
 void check_filled(const Part& part, const SolidCells& cells, double drawn) {
@@ -78,18 +109,27 @@ void add_cells_of(const SolidCells& cells, std::size_t first, ParticleSet& set) 
 }
 
 void report_cells(const Part& part, const SolidCells& cells, double drawn, double whole_cell,
-                  MeshReport::SpringLine& line, std::vector<std::string>& notes) {
+                  MeshReport::SpringLine& line, MeshReport& report) {
     line.bodies = cells.pieces;
     line.anchored = static_cast<std::size_t>(std::ranges::count(cells.nodes, true, &CellNode::fixed));
     line.particle_mass = whole_cell * part.density;
     line.elements = {
         cells.cells.size(), cells.nodes.size(),          cells.cut, cells.volume(), drawn, part.youngs_modulus,
         part.poisson_ratio, to_string(*part.elastic_law)};
+    if (std::abs(cells.volume() / drawn - 1) > 0.02) {
+        std::ostringstream warning;
+        warning.precision(3);
+        warning << part.name.value << ": its cells have " << cells.volume() / drawn
+                << " of the drawn volume: some of it is beyond the sides of the scene, or too thin, or its surfaces "
+                   "are seen "
+                   "by seven lines a box only; a finer particles.spacing is nearer";
+        report.warnings.push_back(warning.str());
+    }
     if (cells.lost == 0) return;
     std::ostringstream note;
     note << part.name.value << ": " << cells.lost << " boxes of the lattice with little of it, in all "
          << 100 * cells.lost_volume / drawn << " % of its volume, have no cell beside them and are left out";
-    notes.push_back(note.str());
+    report.notes.push_back(note.str());
 }
 
 }  // namespace dmp::mesher

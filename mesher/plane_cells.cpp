@@ -12,7 +12,7 @@ namespace dmp::mesher {
 namespace {
 
 /// The same as is_clamped for the nearest segment of a curve; of two that meet there the one that it is farther off.
-bool is_clamped_by(const CurveSet& anchor, const Vec& node, double spacing) {
+bool is_clamped_by(const CurveSet& anchor, const Vec& node, double spacing, bool is_of_cut_cells) {
     double nearest = std::numeric_limits<double>::infinity();
     bool clamped = false;
     for (const Polyline& piece : anchor.pieces)
@@ -22,7 +22,7 @@ bool is_clamped_by(const CurveSet& anchor, const Vec& node, double spacing) {
             const Vec point = a + std::clamp((node - a).dot(along), 0.0, (b - a).norm()) * along;
             const double distance = (node - point).norm();
             if (distance > nearest + 1e-9 * spacing) continue;
-            const bool by_this = is_clamped(node - point, Vec(-along[1], along[0], 0), spacing);
+            const bool by_this = is_clamped(node - point, Vec(-along[1], along[0], 0), spacing, is_of_cut_cells);
             clamped = distance < nearest - 1e-9 * spacing ? by_this : clamped && by_this;
             nearest = std::min(nearest, distance);
         }
@@ -48,16 +48,15 @@ void ParticleBuilder::claim_cells(SpringSolid& solid, const Region& region) {
 void ParticleBuilder::clamp_cells(const Part& part, SolidCells& cells) const {
     if (part.anchor->empty()) return;
     if (const auto points = geometry_.points.find(part.anchor); points != geometry_.points.end()) {
-        for (const Vec& anchor : points->second) {
-            const auto distance = [&](const CellNode& node) { return (node.position - anchor).norm(); };
-            const auto nearest = std::ranges::min_element(cells.nodes, {}, distance);
-            if (distance(*nearest) < spacing_) nearest->fixed = true;
-        }
+        for (const Vec& anchor : points->second) clamp_cell_at(anchor, 2, spacing_, cells);
     } else {
         const CurveSet& anchor = *geometry_.curve_set(part.anchor);
-        const NearestCurve held_by(anchor, farthest_clamped * spacing_);
-        for (CellNode& node : cells.nodes)
-            if (held_by.nearest(node.position)) node.fixed = is_clamped_by(anchor, node.position, spacing_);
+        const double step = lattice_step().maxCoeff();
+        const NearestCurve held_by(anchor, farthest_clamped * step);
+        const std::vector<bool> of_cut = nodes_of_cut_cells(cells, 2);
+        for (std::size_t n = 0; n < cells.nodes.size(); ++n)
+            if (CellNode& node = cells.nodes[n]; held_by.nearest(node.position))
+                node.fixed = is_clamped_by(anchor, node.position, step, of_cut[n]);
     }
     if (std::ranges::none_of(cells.nodes, &CellNode::fixed))
         throw InputError(part.anchor.location,
@@ -76,7 +75,7 @@ void ParticleBuilder::add_cells(const SpringSolid& solid, int part_number, MeshR
     add_cells_of(cells, first, result_.particles);
     bodies_ += cells.pieces;
     report_cells(*solid.part, cells, geometry_.region(solid.part->name)->area(), lattice_.cell_area(), line,
-                 result_.report.notes);
+                 result_.report);
 }
 
 }  // namespace dmp::mesher

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesher/region_on_boxes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -106,8 +107,8 @@ std::array<std::array<int, 3>, 2> RegionOnBoxes::boxes() const {
     std::array<std::array<int, 3>, 2> range{{{0, 0, 0}, {0, 0, 1}}};
     for (int axis = 0; axis < 2; ++axis) {
         const auto place = [&](double x) { return (x - lattice_.origin[axis]) / lattice_.step[axis]; };
-        range[0][axis] = static_cast<int>(std::floor(place(low[axis]) + 1e-9));
-        range[1][axis] = static_cast<int>(std::ceil(place(high[axis]) - 1e-9));
+        range[0][axis] = std::max(lattice_.first[axis], static_cast<int>(std::floor(place(low[axis]) + 1e-9)));
+        range[1][axis] = std::min(lattice_.last[axis], static_cast<int>(std::ceil(place(high[axis]) - 1e-9)));
     }
     return range;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -28,6 +29,9 @@ struct BoxLattice {
     Vec origin = Vec::Zero();     ///< [m]
     Vec step = Vec::Zero();       ///< [m]; in 2-D z = 0
     std::array<int, 3> period{};  ///< by axis: boxes in a period, of which the first is box 0; 0: none
+    /// By axis: the boxes of the scene, from the first to before the last, where it ends or repeats there.
+    std::array<int, 3> first = {lowest, lowest, lowest}, last = {highest, highest, highest};
+    static constexpr int lowest = std::numeric_limits<int>::min(), highest = std::numeric_limits<int>::max();
 
     [[nodiscard]] Vec corner(const std::array<int, 3>& box) const {
         return origin + Vec(box[0], box[1], box[2]).cwiseProduct(step);

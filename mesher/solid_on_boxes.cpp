@@ -23,8 +23,9 @@ SolidOnBoxes::SolidOnBoxes(const TriangleSurface& surface, const BoxLattice& lat
     }
     for (int axis = 0; axis < 3; ++axis) {
         const auto place = [&](double x) { return (x - lattice_.origin[axis]) / lattice_.step[axis]; };
-        first_[axis] = static_cast<int>(std::floor(place(low[axis]) + 1e-9));
-        last_[axis] = static_cast<int>(std::ceil(place(high[axis]) - 1e-9));
+        first_[axis] = std::max(lattice_.first[axis], static_cast<int>(std::floor(place(low[axis]) + 1e-9)));
+        last_[axis] = std::min(lattice_.last[axis], static_cast<int>(std::ceil(place(high[axis]) - 1e-9)));
+        if (last_[axis] <= first_[axis]) last_ = first_;  // none of it is in the scene
     }
     sums_.resize(static_cast<std::size_t>(last_[0] - first_[0]) * (last_[1] - first_[1]) * (last_[2] - first_[2]));
 

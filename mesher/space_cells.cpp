@@ -31,6 +31,12 @@ void SpaceBuilder::claim_cells(const Part& part, const Solid& solid) {
         const Vec place = (cells.nodes[cell.node[0]].position - boxes.origin).cwiseQuotient(step);
         std::array<long, 3> at{};
         for (int axis = 0; axis < 3; ++axis) at[axis] = std::lround(place[axis]);
+        const std::array<long, 3> points{lattice_->points(), lattice_->rows()[0].lines,
+                                         static_cast<long>(lattice_->rows().size())};
+        bool is_outside = false;  // of the lattice, where no fluid is
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            is_outside = is_outside || at[axis] < 0 || at[axis] >= points[axis];
+        if (is_outside) continue;
         std::int16_t& here = owner_.at(
             static_cast<std::size_t>((at[2] * lattice_->rows()[0].lines + at[1]) * lattice_->points() + at[0]));
         if (here == nobody) here = in_a_shell;
@@ -42,10 +48,13 @@ void SpaceBuilder::clamp_cells(const Part& part, SolidCells& cells) const {
     if (part.anchor->empty()) return;
     const Solid* solid = geometry_.solid(part.anchor);
     const TriangleSurface& surface = solid != nullptr ? solid->surface : geometry_.surface_set(part.anchor)->surface;
-    const NearestTriangle anchor(surface, farthest_clamped * spacing_);
-    for (CellNode& node : cells.nodes)
-        if (const auto found = anchor.nearest(node.position))
-            node.fixed = is_clamped(node.position - found->point, normal_of(surface, found->triangle), spacing_);
+    const double step = lattice_step().maxCoeff();
+    const NearestTriangle anchor(surface, farthest_clamped * step);
+    const std::vector<bool> of_cut = nodes_of_cut_cells(cells, 3);
+    for (std::size_t n = 0; n < cells.nodes.size(); ++n)
+        if (const auto found = anchor.nearest(cells.nodes[n].position))
+            cells.nodes[n].fixed = is_clamped(cells.nodes[n].position - found->point,
+                                              normal_of(surface, found->triangle), step, of_cut[n]);
     if (std::ranges::any_of(cells.nodes, &CellNode::fixed)) return;
     std::ostringstream problem;
     problem << "no node of '" << part.name.value << "' is within half a spacing of '" << part.anchor.value << "'";
@@ -68,7 +77,7 @@ void SpaceBuilder::add_cells(SpringSolid& solid, int part, MeshReport::SpringLin
     add_cells_of(cells, first, set);
     bodies_ += cells.pieces;
     report_cells(*solid.part, cells, geometry_.solid(solid.part->name)->volume(), lattice_->cell_volume(), line,
-                 result_.report.notes);
+                 result_.report);
 }
 
 }  // namespace dmp::mesher

@@ -21,7 +21,7 @@ std::string problem_with_cell(const ParticleSet& set, const SolidCell& cell, std
     for (int axis = 0; axis < set.dimension; ++axis) {
         const double half = 0.5 * cell.size[axis];
         if (!(half > 0) || !std::isfinite(half)) return "its size is not more than 0";
-        if (!(std::abs(cell.centroid[axis]) <= half)) return "its centroid is outside";
+        if (!(std::abs(cell.centroid[axis]) < half)) return "its centroid is outside";
         if (!(cell.moment[axis] >= 0) || !std::isfinite(cell.moment[axis])) return "a moment is less than 0";
     }
     for (int axis = 0; axis < 3; ++axis)
@@ -60,6 +60,14 @@ std::string problem_with_cells(const ParticleSet& set) {
                               of_cells[static_cast<std::size_t>(set.body[i])];
         if (in_cells && !is_cell[i]) return "particle " + std::to_string(i) + " is in a body of cells, and is none";
     }
+    std::vector<int> body_of(set.cell_nodes.size(), -1);
+    for (std::size_t n = 0; n < set.cells.size(); ++n)
+        for (const int node : std::span(set.cells[n].node).first(std::size_t{1} << set.dimension)) {
+            const int body = set.body[static_cast<std::size_t>(set.cells[n].particle)];
+            int& first = body_of[static_cast<std::size_t>(node)];
+            if (first >= 0 && first != body) return "cell " + std::to_string(n) + ": a node is another body's, too";
+            first = body;
+        }
     for (std::size_t n = 0; n < set.bonds.size(); ++n)
         for (const int end : {set.bonds[n].a, set.bonds[n].b})
             if (is_cell[static_cast<std::size_t>(end)])

@@ -122,6 +122,7 @@ void check_cells(const Scene& scene, const Part& part) {
     if (*part.poisson_ratio >= 0.5)
         throw InputError(part.poisson_ratio.location, part_name + ": a Poisson's ratio of 0.5 cannot be reached",
                          "write 0.49 for a solid that keeps its volume");
+    if (!*part.enabled) return;
     for (const Join* join : scene.joins_of_enabled())
         for (const std::string& joined : *join->parts)
             if (joined == *part.name)
@@ -133,11 +134,6 @@ void check_cells(const Scene& scene, const Part& part) {
             part.model.location,
             part_name + " is made of cells, and bonds form or break in this scene ([[solidify]], [[break]])",
             "write model = \"springs\"");
-    if (*scene.numerics.viscosity_stepping == ViscosityStepping::implicitly)
-        throw InputError(
-            part.model.location,
-            part_name + " is made of cells, which numerics.viscosity_stepping = \"implicit\" does not move",
-            "write model = \"springs\", or viscosity_stepping = \"explicit\"");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <array>
 
 #include "models/elastic/strain.hpp"
 
@@ -102,11 +103,22 @@ struct ElasticCell {
         return -along_slope * slope.transpose() - along_twist * twist.transpose();
     }
 
-    /// Cauchy's stress at the centroid, F S F^T / J, without damping [Pa].
+    /// Cauchy's stress at the centroid, F S F^T / J, without damping [Pa]; in 2-D with that across the plane.
     template <class Law>
-    [[nodiscard]] Matrix<D> stress(const Law& law, const Corners& x) const {
+    [[nodiscard]] Matrix<3> stress(const Law& law, const Corners& x) const {
+        const Matrix<D> f = gradient(x), c = f.transpose() * f;
+        Matrix<3> stress = Matrix<3>::Zero();
+        stress.template topLeftCorner<D, D>() = f * law.template stress<D>(c) * f.transpose();
+        if constexpr (D == 2) stress(2, 2) = law.stress_across(c);
+        return stress / f.determinant();
+    }
+
+    /// Least and largest principal value of Green's strain at the centroid [-].
+    [[nodiscard]] std::array<double, 2> principal_strains(const Corners& x) const {
         const Matrix<D> f = gradient(x);
-        return (f * law.template stress<D>(f.transpose() * f) * f.transpose()) / f.determinant();
+        const Eigen::SelfAdjointEigenSolver<Matrix<D>> principal(0.5 * (f.transpose() * f - Matrix<D>::Identity()),
+                                                                 Eigen::EigenvaluesOnly);
+        return {principal.eigenvalues().minCoeff(), principal.eigenvalues().maxCoeff()};
     }
 
     /// `elastic` times the derivative of minus the elastic forces with respect to x plus `viscous` times that of the

@@ -37,6 +37,8 @@ struct NeoHookean {
         const Matrix<D> inverse = c.inverse();
         return constants.mu * (Matrix<D>::Identity() - inverse) + constants.lambda * log_volume<D>(c) * inverse;
     }
+    /// S across the plane of a solid in plane strain [Pa].
+    [[nodiscard]] double stress_across(const Matrix<2>& c) const { return constants.lambda * log_volume<2>(c); }
     /// dS/dE, of which only what is certainly positive is kept [Pa].
     template <int D>
     [[nodiscard]] typename Voigt<D>::Square tangent(const Matrix<D>& c) const {

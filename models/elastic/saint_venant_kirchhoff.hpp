@@ -30,6 +30,8 @@ struct SaintVenantKirchhoff {
     [[nodiscard]] Matrix<D> stress(const Matrix<D>& c) const {
         return constants.stress<D>(strain<D>(c));
     }
+    /// S across the plane of a solid in plane strain [Pa].
+    [[nodiscard]] double stress_across(const Matrix<2>& c) const { return constants.lambda * strain<2>(c).trace(); }
     /// dS/dE, of which only what is certainly positive is kept [Pa].
     template <int D>
     [[nodiscard]] typename Voigt<D>::Square tangent(const Matrix<D>&) const {

@@ -2,7 +2,7 @@
 #include "solver/elastic/cell_body.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <cmath>
 
 namespace dmp::solver {
 
@@ -13,10 +13,6 @@ Vec in_space(const Vector<double, D>& point) {
     Vec in = Vec::Zero();
     for (int axis = 0; axis < D; ++axis) in[axis] = point[axis];
     return in;
-}
-
-[[noreturn]] void not_in_implicit_viscosity() {
-    throw std::logic_error("a body of cells in a scene with implicit viscosity");
 }
 
 }  // namespace
@@ -54,36 +50,52 @@ typename CellBody<D>::Vectors CellBody<D>::at_centroids(const Vectors& of_nodes)
 
 template <int D>
 SpringImpulses CellBody<D>::advance(std::span<const Vec> force, double dt, int substeps) {
-    Vectors on_particles(cells_.size());
-    for (std::size_t p = 0; p < cells_.size(); ++p)
-        for (int axis = 0; axis < D; ++axis) on_particles[p][axis] = force[p][axis];
-    if (self_contact_) self_contact_->add_forces(at_centroids(network_.positions()), on_particles);
-    std::vector<Vec> on_nodes(network_.nodes(), Vec::Zero());
-    for (std::size_t p = 0; p < cells_.size(); ++p)
-        for (std::size_t k = 0; k < cell(p).node.size(); ++k)
-            on_nodes[cell(p).node[k]] += cell(p).element.share[static_cast<int>(k)] * in_space<D>(on_particles[p]);
-    return network_.advance(on_nodes, dt, substeps);
+    std::vector<Vec> on_particles(force.begin(), force.begin() + static_cast<std::ptrdiff_t>(cells_.size()));
+    if (self_contact_) {
+        Vectors of_contact(cells_.size());
+        self_contact_->add_forces(at_centroids(network_.positions()), of_contact);
+        for (std::size_t p = 0; p < cells_.size(); ++p) on_particles[p] += in_space<D>(of_contact[p]);
+    }
+    return network_.advance(at_nodes(on_particles), dt, substeps);
 }
 
 template <int D>
-std::vector<Vec> CellBody<D>::balance(std::span<const Vec> /*w*/, double /*dt*/) const {
-    not_in_implicit_viscosity();
+std::vector<Vec> CellBody<D>::at_nodes(std::span<const Vec> of_particles) const {
+    std::vector<Vec> at_nodes(network_.nodes(), Vec::Zero());
+    for (std::size_t p = 0; p < cells_.size(); ++p)
+        for (std::size_t k = 0; k < cell(p).node.size(); ++k)
+            at_nodes[cell(p).node[k]] += cell(p).element.share[static_cast<int>(k)] * of_particles[p];
+    return at_nodes;
 }
+
 template <int D>
-void CellBody<D>::prepare_in_fluid(std::span<const Vec> /*w*/, std::span<const Vec> /*drag*/, double /*dt*/) {
-    not_in_implicit_viscosity();
+std::vector<Vec> CellBody<D>::of_particles(std::span<const Vec> of_unknowns) const {
+    std::vector<Vec> of_particles;
+    of_particles.reserve(cells_.size());
+    for (std::size_t p = 0; p < cells_.size(); ++p) {
+        Vec sum = Vec::Zero();
+        for (std::size_t k = 0; k < cell(p).node.size(); ++k)
+            sum += cell(p).element.share[static_cast<int>(k)] * of_unknowns[cell(p).node[k]];
+        of_particles.push_back(sum);
+    }
+    return of_particles;
 }
+
 template <int D>
-void CellBody<D>::multiply_in_fluid(std::span<Vec> /*values*/) const {
-    not_in_implicit_viscosity();
+std::vector<Vec> CellBody<D>::on_unknowns(std::span<const Vec> on_particles) const {
+    std::vector<Vec> on_nodes = at_nodes(on_particles);
+    for (std::size_t n = 0; n < on_nodes.size(); ++n)
+        for (int axis = 0; axis < D; ++axis)
+            if (network_.is_held(n, axis)) on_nodes[n][axis] = 0;
+    return on_nodes;
 }
+
 template <int D>
-void CellBody<D>::solve_in_fluid(std::span<Vec> /*values*/) const {
-    not_in_implicit_viscosity();
-}
-template <int D>
-void CellBody<D>::expect(std::span<const Vec> /*w*/) {
-    not_in_implicit_viscosity();
+std::vector<Vec> CellBody<D>::unknown_velocities(std::span<const Vec> /*of_particles*/) const {
+    std::vector<Vec> velocities;
+    velocities.reserve(network_.nodes());
+    for (const Point& velocity : network_.velocities()) velocities.push_back(in_space<D>(velocity));
+    return velocities;
 }
 
 template <int D>
@@ -120,12 +132,24 @@ std::vector<std::array<double, 6>> CellBody<D>::virial() const {
     for (std::size_t p = 0; p < cells_.size(); ++p) {
         const auto corners = cell(p).at(network_.positions());
         const double volume = cell(p).element.volume * cell(p).element.gradient(corners).determinant();
-        Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
-        stress.topLeftCorner<D, D>() = cell(p).stress(corners);
+        const Matrix<3> stress = cell(p).stress(corners);
         virial.push_back({-volume * stress(0, 0), -volume * stress(1, 1), -volume * stress(2, 2),
                           -volume * stress(0, 1), -volume * stress(1, 2), -volume * stress(0, 2)});
     }
     return virial;
+}
+
+template <int D>
+std::optional<std::array<double, 2>> CellBody<D>::strains(std::size_t node) const {
+    return cell(node).element.principal_strains(cell(node).at(network_.positions()));
+}
+
+template <int D>
+double CellBody<D>::step_limit() const {
+    double relaxation = 0;
+    for (const BodyParts::Cell& cell : cells_) relaxation = std::max(relaxation, cell.relaxation);
+    const double limit = network_.step_limit(), damping = relaxation / limit;  // of critical, at the highest frequency
+    return limit * (std::sqrt(1 + damping * damping) - damping);
 }
 
 template class CellBody<2>;

@@ -21,12 +21,20 @@ class CellBody final : public SpringBody {
     [[nodiscard]] BodyParts parts() const override;
     SpringImpulses advance(std::span<const Vec> force, double dt, int substeps) override;
 
-    /// Not yet: scenes with implicit viscosity and cells are refused.
-    [[nodiscard]] std::vector<Vec> balance(std::span<const Vec> w, double dt) const override;
-    void prepare_in_fluid(std::span<const Vec> w, std::span<const Vec> drag, double dt) override;
-    void multiply_in_fluid(std::span<Vec> values) const override;
-    void solve_in_fluid(std::span<Vec> values) const override;
-    void expect(std::span<const Vec> w) override;
+    [[nodiscard]] std::size_t unknowns() const override { return network_.nodes(); }
+    [[nodiscard]] double unknown_mass(std::size_t unknown) const override { return network_.mass(unknown); }
+    [[nodiscard]] std::vector<Vec> of_particles(std::span<const Vec> of_unknowns) const override;
+    [[nodiscard]] std::vector<Vec> on_unknowns(std::span<const Vec> on_particles) const override;
+    [[nodiscard]] std::vector<Vec> unknown_velocities(std::span<const Vec> of_particles) const override;
+    [[nodiscard]] std::vector<Vec> balance(std::span<const Vec> w, double dt) const override {
+        return network_.balance(w, dt);
+    }
+    void prepare_in_fluid(std::span<const Vec> w, std::span<const Vec> drag, double dt) override {
+        network_.prepare_in_fluid(w, drag, dt);
+    }
+    void multiply_in_fluid(std::span<Vec> values) const override { network_.multiply_in_fluid(values); }
+    void solve_in_fluid(std::span<Vec> values) const override { network_.solve_in_fluid(values); }
+    void expect(std::span<const Vec> w) override { network_.expect(w); }
 
     [[nodiscard]] Vec position(std::size_t node) const override;
     [[nodiscard]] Vec position_before(std::size_t node) const override;
@@ -35,17 +43,21 @@ class CellBody final : public SpringBody {
     [[nodiscard]] double free_mass() const override { return network_.free_mass(); }
     [[nodiscard]] Vec total_momentum() const override { return network_.total_momentum(); }
     [[nodiscard]] double energy() const override { return network_.energy(); }
-    [[nodiscard]] double step_limit() const override { return network_.step_limit(); }
+    /// Shorter than that of the network where cells are damped: 2/omega (sqrt(1 + zeta^2) - zeta).
+    [[nodiscard]] double step_limit() const override;
     [[nodiscard]] double self_contact_rate() const override;
     /// -V F S F^T of each cell: minus Kirchhoff's stress times its volume at rest.
     [[nodiscard]] std::vector<std::array<double, 6>> virial() const override;
     [[nodiscard]] double volume_ratio(std::size_t node) const override;
+    [[nodiscard]] std::optional<std::array<double, 2>> strains(std::size_t node) const override;
     void archive(Archive& file, const std::string& name) override { network_.archive(file, name); }
 
     [[nodiscard]] const Network& network() const { return network_; }
     Network& network() { return network_; }  ///< for tests and static solutions
 
   private:
+    /// Shares of the particles' values, added up at the nodes.
+    [[nodiscard]] std::vector<Vec> at_nodes(std::span<const Vec> of_particles) const;
     [[nodiscard]] const LocalCell<D>& cell(std::size_t particle) const { return network_.cells()[particle]; }
     [[nodiscard]] Vectors at_centroids(const Vectors& of_nodes) const;
 

@@ -65,7 +65,7 @@ struct LocalCell {
     [[nodiscard]] double energy(const Corners& x) const {
         return with_law([&](const auto& of_solid) { return element.energy(of_solid, x); });
     }
-    [[nodiscard]] Matrix<D> stress(const Corners& x) const {
+    [[nodiscard]] Matrix<3> stress(const Corners& x) const {
         return with_law([&](const auto& of_solid) { return element.stress(of_solid, x); });
     }
     [[nodiscard]] typename Element::Square stiffness(const Corners& x, double elastic, double viscous) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -52,8 +53,23 @@ class SpringBody {
     /// the springs' forces: in `substeps` equal explicit steps, or in one implicit step (0).
     virtual SpringImpulses advance(std::span<const Vec> force, double dt, int substeps) = 0;
 
-    /// Residual for implicit viscosity (ViscousNodes) of nodes with mean velocity w over the next dt: half the
-    /// springs' forces and drag, minus the force needed to reach w, F/2 - m / dt (w - v) [N].
+    /// What the body's equations are solved for (ViscousNodes): its nodes. They are its particles, but where it
+    /// consists of cells, whose particles move with the nodes at their corners.
+    [[nodiscard]] virtual std::size_t unknowns() const { return nodes(); }
+    [[nodiscard]] virtual double unknown_mass(std::size_t unknown) const { return mass(unknown); }  ///< [kg]
+    /// Velocities of the particles, from those of the unknowns.
+    [[nodiscard]] virtual std::vector<Vec> of_particles(std::span<const Vec> of_unknowns) const {
+        return {of_unknowns.begin(), of_unknowns.end()};
+    }
+    /// Forces, or drag by axis, on the unknowns, from those on the particles; 0 where an unknown is held.
+    [[nodiscard]] virtual std::vector<Vec> on_unknowns(std::span<const Vec> on_particles) const;
+    /// Velocities from which a solution is looked for: those of the particles, or of the nodes that move them.
+    [[nodiscard]] virtual std::vector<Vec> unknown_velocities(std::span<const Vec> of_particles) const {
+        return {of_particles.begin(), of_particles.end()};
+    }
+
+    /// Residual for implicit viscosity (ViscousNodes) of unknowns with mean velocity w over the next dt: half the
+    /// springs' forces and drag, minus the force needed to reach w, F/2 - m / dt (w - v) [N]; 0 where they are held.
     [[nodiscard]] virtual std::vector<Vec> balance(std::span<const Vec> w, double dt) const = 0;
     /// Computes minus the derivative of the balance with respect to w, near this w (Gauss-Newton form), and
     /// factorises its sum with `drag`, the drag of the nodes in the fluid by axis [kg/s].
@@ -86,6 +102,9 @@ class SpringBody {
 
     /// Of the particle, over its volume at rest; 1 where it consists of springs.
     [[nodiscard]] virtual double volume_ratio(std::size_t /*node*/) const { return 1; }
+
+    /// Least and largest principal strain of the particle (Green's) [-]; none where it consists of springs.
+    [[nodiscard]] virtual std::optional<std::array<double, 2>> strains(std::size_t /*node*/) const { return {}; }
 
     virtual void archive(Archive& file, const std::string& name) = 0;
 

@@ -108,6 +108,8 @@ class SpringNetwork final : public SpringBody {
     [[nodiscard]] double self_contact_rate() const override;
     [[nodiscard]] std::vector<std::array<double, 6>> virial() const override;
 
+    /// Whether the node does not move along this axis: it is fixed, or on a plane of symmetry.
+    [[nodiscard]] bool is_held(std::size_t node, int axis) const { return fixed_[node] != 0 || on_plane_[node][axis]; }
     [[nodiscard]] const std::vector<LocalCell<D>>& cells() const { return cells_; }
     [[nodiscard]] const Vectors& positions() const { return position_; }
     [[nodiscard]] const Vectors& positions_at_rest() const { return position_at_rest_; }
@@ -141,8 +143,6 @@ class SpringNetwork final : public SpringBody {
             for (const auto& dihedral : dihedrals_) visit(dihedral);
     }
     void add_forces(const Vectors& position, const Vectors& velocity, Vectors& force) const;
-    /// Whether the node does not move along this axis: it is fixed, or on a plane of symmetry.
-    [[nodiscard]] bool is_held(std::size_t node, int axis) const { return fixed_[node] != 0 || on_plane_[node][axis]; }
     /// v += h F / m along axes on which the node is free; the supports take it along the others [N s].
     void push(std::size_t node, double h, const Point& force, Point& of_holders);
     /// Those of the cells. Not a number where a cell is crushed or turned inside out, which no step may leave.

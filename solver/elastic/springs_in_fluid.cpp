@@ -3,6 +3,13 @@
 
 namespace dmp::solver {
 
+std::vector<Vec> SpringBody::on_unknowns(std::span<const Vec> on_particles) const {
+    std::vector<Vec> on_unknowns(on_particles.begin(), on_particles.end());
+    for (std::size_t n = 0; n < on_unknowns.size(); ++n)
+        if (fixed(n)) on_unknowns[n].setZero();
+    return on_unknowns;
+}
+
 template <int D>
 std::vector<Vec> SpringNetwork<D>::balance(std::span<const Vec> w, double dt) const {
     Vectors middle = position_, velocity(ids_.size());
@@ -13,9 +20,12 @@ std::vector<Vec> SpringNetwork<D>::balance(std::span<const Vec> w, double dt) co
     const Vectors force = forces(middle, velocity);
     std::vector<Vec> sum;
     sum.reserve(ids_.size());
-    for (std::size_t n = 0; n < ids_.size(); ++n)
-        sum.push_back(
-            in_space(0.5 * (force[n] - drag_[n] * velocity[n]) - (mass_[n] / dt) * (velocity[n] - velocity_[n])));
+    for (std::size_t n = 0; n < ids_.size(); ++n) {
+        Point left = 0.5 * (force[n] - drag_[n] * velocity[n]) - (mass_[n] / dt) * (velocity[n] - velocity_[n]);
+        for (int axis = 0; axis < D; ++axis)
+            if (is_held(n, axis)) left[axis] = 0;
+        sum.push_back(in_space(left));
+    }
     return sum;
 }
 

@@ -6,25 +6,43 @@
 
 namespace dmp::solver {
 
-ViscousNodes::ViscousNodes(SpringBodies& springs, const ParticleStore& particles, double dt)
-    : springs_(springs), dt_(dt) {
-    if (springs_.empty()) return;
-    other_force_ = springs_.collected(particles, Field::force);
-    velocity_ = springs_.collected(particles, Field::velocity);
-    residual_ = preconditioned_ = direction_ = image_ = Vectors(velocity_.size(), Vec::Zero());
-}
-
 template <class Visit>
 void ViscousNodes::for_each_body(const Visit& visit) const {
-    std::size_t first = 0;
+    std::size_t unknown = 0, particle = 0;
     for (const auto& body : springs_.bodies()) {
-        visit(*body, first);
-        first += body->nodes();
+        visit(*body, Part{unknown, body->unknowns()}, Part{particle, body->nodes()});
+        unknown += body->unknowns();
+        particle += body->nodes();
     }
 }
 
+ViscousNodes::ViscousNodes(SpringBodies& springs, const ParticleStore& particles, double dt)
+    : springs_(springs), dt_(dt) {
+    if (springs_.empty()) return;
+    other_force_ = on_unknowns(particles, Field::force);
+    const Vectors of_particles = springs_.collected(particles, Field::velocity);
+    for_each_body([&](const SpringBody& body, Part, Part own) {
+        std::ranges::copy(body.unknown_velocities(own.of(of_particles)), std::back_inserter(velocity_));
+    });
+    residual_ = preconditioned_ = direction_ = image_ = Vectors(velocity_.size(), Vec::Zero());
+}
+
+ViscousNodes::Vectors ViscousNodes::on_unknowns(const ParticleStore& particles, Field field) const {
+    const Vectors on_particles = springs_.collected(particles, field);
+    Vectors all;
+    for_each_body([&](const SpringBody& body, Part, Part own) {
+        std::ranges::copy(body.on_unknowns(own.of(on_particles)), std::back_inserter(all));
+    });
+    return all;
+}
+
 void ViscousNodes::show(ParticleStore& particles, Field field, const Vectors& values) const {
-    if (!springs_.empty()) springs_.show_in(particles, field, values);
+    if (springs_.empty()) return;
+    Vectors of_particles;
+    for_each_body([&](const SpringBody& body, Part part, Part) {
+        std::ranges::copy(body.of_particles(part.of(values)), std::back_inserter(of_particles));
+    });
+    springs_.show_in(particles, field, of_particles);
 }
 
 double ViscousNodes::largest(const Vectors& values) {
@@ -35,39 +53,29 @@ double ViscousNodes::largest(const Vectors& values) {
 
 void ViscousNodes::prepare(const ParticleStore& particles) {
     if (springs_.empty()) return;
-    const Vectors drag = springs_.collected(particles, Field::viscous_diagonal);
-    for_each_body([&](SpringBody& body, std::size_t first) {
-        const std::size_t count = body.nodes();
-        body.prepare_in_fluid(std::span(velocity_).subspan(first, count), std::span(drag).subspan(first, count), dt_);
-    });
+    const Vectors drag = on_unknowns(particles, Field::viscous_diagonal);
+    for_each_body(
+        [&](SpringBody& body, Part part, Part) { body.prepare_in_fluid(part.of(velocity_), part.of(drag), dt_); });
 }
 
 void ViscousNodes::find_residual(const ParticleStore& particles) {
     if (springs_.empty()) return;
-    const Vectors viscous = springs_.collected(particles, Field::viscous_force);
-    for_each_body([&](SpringBody& body, std::size_t first) {
-        const Vectors own = body.balance(std::span(velocity_).subspan(first, body.nodes()), dt_);
-        for (std::size_t n = 0; n < own.size(); ++n) {
-            residual_[first + n].setZero();
-            if (!body.fixed(n)) residual_[first + n] = own[n] + other_force_[first + n] + viscous[first + n];
-        }
+    const Vectors viscous = on_unknowns(particles, Field::viscous_force);
+    for_each_body([&](const SpringBody& body, Part part, Part) {
+        const Vectors own = body.balance(part.of(velocity_), dt_);
+        for (std::size_t n = 0; n < own.size(); ++n)
+            residual_[part.first + n] = own[n] + other_force_[part.first + n] + viscous[part.first + n];
     });
     preconditioned_ = residual_;
-    for_each_body([&](SpringBody& body, std::size_t first) {
-        body.solve_in_fluid(std::span(preconditioned_).subspan(first, body.nodes()));
-    });
+    for_each_body([&](const SpringBody& body, Part part, Part) { body.solve_in_fluid(part.of(preconditioned_)); });
 }
 
 void ViscousNodes::find_image(const ParticleStore& particles) {
     if (springs_.empty()) return;
-    const Vectors viscous = springs_.collected(particles, Field::viscous_force);
+    const Vectors viscous = on_unknowns(particles, Field::viscous_force);
     image_ = direction_;
-    for_each_body([&](SpringBody& body, std::size_t first) {
-        const std::size_t count = body.nodes();
-        body.multiply_in_fluid(std::span(image_).subspan(first, count));
-        for (std::size_t n = first; n < first + count; ++n)
-            if (!body.fixed(n - first)) image_[n] -= viscous[n];
-    });
+    for_each_body([&](const SpringBody& body, Part part, Part) { body.multiply_in_fluid(part.of(image_)); });
+    for (std::size_t n = 0; n < image_.size(); ++n) image_[n] -= viscous[n];
 }
 
 void ViscousNodes::step(double alpha) {
@@ -76,9 +84,7 @@ void ViscousNodes::step(double alpha) {
         residual_[n] -= alpha * image_[n];
     }
     preconditioned_ = residual_;
-    for_each_body([&](SpringBody& body, std::size_t first) {
-        body.solve_in_fluid(std::span(preconditioned_).subspan(first, body.nodes()));
-    });
+    for_each_body([&](const SpringBody& body, Part part, Part) { body.solve_in_fluid(part.of(preconditioned_)); });
 }
 
 void ViscousNodes::turn(double beta) {
@@ -87,21 +93,22 @@ void ViscousNodes::turn(double beta) {
 }
 
 void ViscousNodes::hand_over() const {
-    for_each_body([&](SpringBody& body, std::size_t first) {
-        body.expect(std::span(velocity_).subspan(first, body.ids().size()));
-    });
+    for_each_body([&](SpringBody& body, Part part, Part) { body.expect(part.of(velocity_)); });
 }
 
 void ViscousNodes::add_squares(ExactSum& sum) const {
-    for_each_body([&](const SpringBody& body, std::size_t first) {
-        for (std::size_t n = 0; n < body.ids().size(); ++n) sum.add(body.mass(n) * velocity_[first + n].squaredNorm());
+    for_each_body([&](const SpringBody& body, Part part, Part) {
+        for (std::size_t n = 0; n < part.count; ++n)
+            sum.add(body.unknown_mass(n) * velocity_[part.first + n].squaredNorm());
     });
 }
 
 void ViscousNodes::add_errors(ExactSum& sum) const {
-    for_each_body([&](const SpringBody& body, std::size_t first) {
-        for (std::size_t n = 0; n < body.nodes(); ++n)
-            sum.add(dt_ * dt_ / body.mass(n) * residual_[first + n].dot(residual_[first + n]));
+    for_each_body([&](const SpringBody& body, Part part, Part) {
+        for (std::size_t n = 0; n < part.count; ++n) {
+            const Vec& residual = residual_[part.first + n];
+            sum.add(dt_ * dt_ / body.unknown_mass(n) * residual.dot(residual));
+        }
     });
 }
 

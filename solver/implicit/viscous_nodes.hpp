@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "solver/elastic/spring_bodies.hpp"
@@ -8,8 +9,9 @@
 
 namespace dmp::solver {
 
-/// The spring bodies' part of the equations of implicit viscosity. A node's unknown is its mean velocity w over the
-/// step to come, which is what the fluid sees of it; the springs, which will act during that step, are in its balance:
+/// The elastic bodies' part of the equations of implicit viscosity. A node's unknown is its mean velocity w over the
+/// step to come, from which follows what the fluid sees of the body's particles; the springs, which will act during
+/// that step, are in its balance:
 ///     m / dt (w - v) - F_springs(x + dt/2 w, w) / 2 = F_others + F_viscous(w)
 /// as in the body's own implicit midpoint step, whose solution w is. Without them a light body in a thick liquid would
 /// first be stopped by it, and then spring as if nothing held it.
@@ -47,9 +49,18 @@ class ViscousNodes {
     using Vectors = std::vector<Vec>;
     void show(ParticleStore& particles, Field field, const Vectors& values) const;
     static double largest(const Vectors& values);
-    /// Calls visit(body, number of its first node).
+    /// Calls visit(body, its part of all unknowns, its part of all particles of bodies).
+    struct Part {
+        std::size_t first, count;
+        template <class Values>
+        [[nodiscard]] auto of(Values& values) const {
+            return std::span(values).subspan(first, count);
+        }
+    };
     template <class Visit>
     void for_each_body(const Visit& visit) const;
+    /// A field of the bodies' particles, as forces on the unknowns.
+    [[nodiscard]] Vectors on_unknowns(const ParticleStore& particles, Field field) const;
 
     SpringBodies& springs_;
     double dt_;

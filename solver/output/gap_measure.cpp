@@ -7,6 +7,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/errors.hpp"
+#include "particles/cell_pieces.hpp"
 #include "solver/elastic/body_change.hpp"
 
 namespace dmp::solver {
@@ -15,6 +16,7 @@ GapMeasure::GapMeasure(const Measure& measure, const ParticleSet& set)
     : space_(static_cast<const ParticleSpace&>(set)) {
     const int part = set.part_named(*measure.part);
     DisjointSets together(set.size());
+    join_cells(set, together);
     for (const Bond& bond : set.bonds)
         if (bond.join < 0) together.join(static_cast<std::size_t>(bond.a), static_cast<std::size_t>(bond.b));
     for (std::size_t i = 0; i < set.size(); ++i)
@@ -24,7 +26,7 @@ GapMeasure::GapMeasure(const Measure& measure, const ParticleSet& set)
         throw InputError(measure.part.location,
                          "'" + *measure.part + "' is one body, and the gap '" + *measure.name +
                              "' is measured between two of one part",
-                         "leave the measure out, or draw the part as two curves");
+                         "leave the measure out, or draw the part as two curves or areas");
 }
 
 double GapMeasure::smallest(const SpringBodies& springs) const {

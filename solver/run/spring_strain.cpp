@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "base/number_text.hpp"
+#include "base/unlisted_value.hpp"
 
 namespace dmp::solver {
 
@@ -14,20 +15,32 @@ constexpr double most = 0.2;
 
 double size_of(const LargestStrain& strain) { return std::max(strain.stretched, -strain.compressed); }
 
-/// The part whose bonds are judged; null for solids that form or break, whose bonds have limits of their own.
+/// The part that is judged; null for solids that form or break, whose bonds have limits of their own, and for cells of
+/// laws that are for large strains.
 const Part* judged_part(const Scene& scene, const std::string& name) {
     const Part* part = scene.part_named(name);
     const bool breaks = std::ranges::any_of(scene.breaking, [&](const Breaking& rule) { return *rule.part == name; });
-    return breaks ? nullptr : part;
+    const bool is_for_large_strains = part != nullptr && part->elastic_law->is<NeoHookean>();
+    return breaks || is_for_large_strains ? nullptr : part;
 }
 
 Warning warning_of(const LargestStrain& strain, const Part& part) {
-    return {"part." + strain.name, part.name.location,
-            "was strained by " + number_text(100 * strain.compressed, 3) + " to " +
-                number_text(100 * strain.stretched, 3) +
-                " % along its bonds, whose forces are linear in their lengths: its stiffness is no longer that of the "
-                "scene (docs/elastic.md, \"Large strains\")",
-            "compare with a finer spacing, or make the solid stiffer or its load smaller"};
+    const std::string range = "was strained by " + number_text(100 * strain.compressed, 3) + " to " +
+                              number_text(100 * strain.stretched, 3) + " %";
+    switch (*part.model) {
+        case ElasticModel::springs:
+            return {"part." + strain.name, part.name.location,
+                    range +
+                        " along its bonds, whose forces are linear in their lengths: its stiffness is no longer that "
+                        "of the "
+                        "scene (docs/elastic.md, \"Large strains\")",
+                    "compare with a finer spacing, or make the solid stiffer or its load smaller"};
+        case ElasticModel::cells:
+            return {"part." + strain.name, part.name.location,
+                    range + " (Green's strain), and its law, that of Saint Venant and Kirchhoff, is for small strains",
+                    "write elastic_law = \"neo_hookean\", or make the solid stiffer or its load smaller"};
+    }
+    unlisted_value(*part.model);
 }
 
 }  // namespace
@@ -38,14 +51,20 @@ SpringStrain::SpringStrain(const SpringBodies& springs) {
 
 std::vector<Warning> SpringStrain::add(const SpringBodies& springs, const Scene& scene) {
     std::vector<LargestStrain> now = largest_;
-    for (const auto& body : springs.bodies())
+    const auto note = [&](int origin, double least, double most_of_it) {
+        LargestStrain& of = now[static_cast<std::size_t>(origin)];
+        of.stretched = std::max(of.stretched, most_of_it);
+        of.compressed = std::min(of.compressed, least);
+    };
+    for (const auto& body : springs.bodies()) {
         for (std::size_t b = 0; b < body->bonds().size(); ++b) {
             const Bond& bond = body->bonds()[b];
-            LargestStrain& of = now[static_cast<std::size_t>(body->bond_origin(b))];
             const double strain = body->stretch(bond) / bond.rest_length;
-            of.stretched = std::max(of.stretched, strain);
-            of.compressed = std::min(of.compressed, strain);
+            note(body->bond_origin(b), strain, strain);
         }
+        for (std::size_t node = 0; node < body->nodes(); ++node)
+            if (const auto strains = body->strains(node)) note(body->origin(node), (*strains)[0], (*strains)[1]);
+    }
     std::vector<Warning> first;
     for (std::size_t k = 0; k < now.size(); ++k)
         if (const Part* part = judged_part(scene, now[k].name);

@@ -13,9 +13,9 @@
 
 namespace dmp::solver {
 
-/// The largest strains that the bonds of each elastic solid reach. A bond's force is linear in its length, so a solid
-/// has the modulus that its scene gives only while strains are small (docs/elastic.md, "Large strains"). Above 20 % an
-/// elastic part is warned of, unless a [[break]] says what its bonds withstand.
+/// The largest strains that the bonds, or the cells, of each elastic solid reach. A bond's force is linear in its
+/// length, so a solid has the modulus that its scene gives only while strains are small (docs/elastic.md, "Large
+/// strains"). Above 20 % an elastic part is warned of, unless a [[break]] says what its bonds withstand.
 class SpringStrain {
   public:
     explicit SpringStrain(const SpringBodies& springs);

@@ -123,10 +123,10 @@ class Warnings {
                 has_no_effect("part." + *part->name + ".mass_damping", part->mass_damping, "it is 0");
         }
         const auto& numerics = scene_.numerics;
-        if (!springs_) has_no_effect("numerics.spring_stepping", numerics.spring_stepping, "no part has springs");
+        if (!springs_) has_no_effect("numerics.spring_stepping", numerics.spring_stepping, "no part is elastic");
         if (!springs_ || *numerics.spring_stepping == SpringStepping::implicit)
             has_no_effect("numerics.spring_step_factor", numerics.spring_step_factor,
-                          springs_ ? "springs are stepped implicitly" : "no part has springs");
+                          springs_ ? "springs are stepped implicitly" : "no part is elastic");
     }
 
     void about_species() {

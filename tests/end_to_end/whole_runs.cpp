@@ -224,7 +224,7 @@ TEST_F(Poiseuille, ExplainMeasuresNothingWhenToldSo) {
 
 TEST_F(Poiseuille, ExplainAndRunWarnOfWhatHasNoEffect) {
     const std::string problem =
-        "--set numerics.spring_stepping=subcycled: numerics.spring_stepping has no effect: no part has springs; leave "
+        "--set numerics.spring_stepping=subcycled: numerics.spring_stepping has no effect: no part is elastic; leave "
         "it "
         "out\n";
     const auto explained = dmp({"explain", ".", "--no-measure", "--set", "numerics.spring_stepping=subcycled"});

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mesher/bonded_solids.hpp"
 #include "mesher/cell_solids.hpp"
 #include "mesher/region_on_boxes.hpp"
 #include "mesher/solid_on_boxes.hpp"
@@ -181,7 +182,7 @@ TEST(PlaneCells, go_on_through_a_periodic_side) {
     EXPECT_EQ(cells.pieces, 1);
     expect_corners_with_periods(cells, 2);
     // One that ends at one of the sides does not.
-    const Region short_of_it{"strip", {rectangle(Vec(0.6, 0, 0), 0.8, 0.5)}};
+    const Region short_of_it{"strip", {rectangle(Vec(0.55, 0, 0), 0.9, 0.5)}};
     const SolidCells ends = RegionOnBoxes(short_of_it, boxes).cells();
     for (const SolidCell& cell : ends.cells)
         EXPECT_EQ(cell.periods & ~SolidCell::period_bit(1, 0) & ~SolidCell::period_bit(3, 0), 0);
@@ -238,7 +239,7 @@ TEST(SpaceCells, of_a_box_that_cuts_the_lattice_have_its_volume_and_moments) {
     expect_nodes_on_corners(cells, 3);
 }
 
-TEST(SpaceCells, of_two_boxes_with_a_face_between_them_are_two_pieces) {
+TEST(SpaceCells, of_two_boxes_are_two_pieces_where_lines_see_the_gap) {
     // They touch on a plane of the lattice, with a gap of a thousandth of a box.
     TriangleSurface surface = box_surface(Vec(0, 0, 0), Vec(1, 1, 0.9995));
     const TriangleSurface above = box_surface(Vec(0, 0, 1.0005), Vec(1, 1, 2));
@@ -251,6 +252,7 @@ TEST(SpaceCells, of_two_boxes_with_a_face_between_them_are_two_pieces) {
     // The lattice's lines do not see the gap: it is thinner than they are apart.
     const SolidCells seen = SolidOnBoxes(surface, {3, Vec::Zero(), Vec::Constant(0.5)}).cells();
     EXPECT_EQ(seen.cells.size(), 16U);
+    EXPECT_EQ(seen.pieces, 1);
     // Moved apart by more than that, they are two.
     for (int k = 4; k < 8; ++k) surface.corners[static_cast<std::size_t>(k)][2] = 0.9;
     const SolidCells apart = SolidOnBoxes(surface, {3, Vec::Zero(), Vec::Constant(0.5)}).cells();
@@ -267,15 +269,75 @@ TEST(SpaceCells, go_on_through_a_periodic_side) {
     expect_corners_with_periods(cells, 3);
 }
 
-TEST(Anchors, clamp_the_nearest_row_of_nodes_and_those_beside_their_edge) {
+TEST(Anchors, clamp_the_nearest_row_of_nodes_and_those_outside_the_solid_beside_their_edge) {
     const Vec normal(1, 0, 0);
-    EXPECT_TRUE(is_clamped(Vec(0, 0, 0), normal, 1));
-    EXPECT_TRUE(is_clamped(Vec(0.5, 0, 0), normal, 1));
-    EXPECT_TRUE(is_clamped(Vec(-0.4, 0, 0), normal, 1));
-    EXPECT_FALSE(is_clamped(Vec(0.6, 0, 0), normal, 1));
-    EXPECT_TRUE(is_clamped(Vec(0, 0.8, 0.1), normal, 1));
-    EXPECT_FALSE(is_clamped(Vec(0, 1.1, 0), normal, 1));
-    EXPECT_FALSE(is_clamped(Vec(1, 0.8, 0), normal, 1));
+    for (const bool of_cut : {false, true}) {
+        EXPECT_TRUE(is_clamped(Vec(0, 0, 0), normal, 1, of_cut));
+        EXPECT_TRUE(is_clamped(Vec(0.5, 0, 0), normal, 1, of_cut));
+        EXPECT_TRUE(is_clamped(Vec(-0.4, 0, 0), normal, 1, of_cut));
+        EXPECT_FALSE(is_clamped(Vec(0.6, 0, 0), normal, 1, of_cut));
+        EXPECT_FALSE(is_clamped(Vec(0, 1.1, 0), normal, 1, of_cut));
+        EXPECT_FALSE(is_clamped(Vec(1, 0.8, 0), normal, 1, of_cut));
+        EXPECT_EQ(is_clamped(Vec(0, 0.8, 0.1), normal, 1, of_cut), of_cut);
+    }
+}
+
+TEST(Anchors, at_a_point_clamp_the_cell_there) {
+    const Region region{"beam", {rectangle(Vec(2, 0.5, 0), 4, 1)}};
+    SolidCells cells = RegionOnBoxes(region, BoxLattice{2, Vec(0, 0, 0), Vec(0.5, 0.5, 0)}).cells();
+    clamp_cell_at(Vec(0.1, 0.1, 0), 2, 0.5, cells);
+    EXPECT_EQ(std::ranges::count(cells.nodes, true, &CellNode::fixed), 4);
+    for (const CellNode& node : cells.nodes) EXPECT_EQ(node.fixed, node.position[0] < 0.6 && node.position[1] < 0.6);
+    SolidCells far = RegionOnBoxes(region, BoxLattice{2, Vec(0, 0, 0), Vec(0.5, 0.5, 0)}).cells();
+    clamp_cell_at(Vec(-3, 0, 0), 2, 0.5, far);
+    EXPECT_EQ(std::ranges::count(far.nodes, true, &CellNode::fixed), 0);
+}
+
+/// A space of 4 x 2 with these sides.
+ParticleSpace space_with(bool periodic, bool mirrored) {
+    ParticleSpace space;
+    space.spacing = 0.5;
+    space.box = {Vec(0, 0, 0), Vec(4, 2, 0)};
+    space.periodic[0] = periodic;
+    space.mirrored[0] = {mirrored, mirrored};
+    return space;
+}
+
+TEST(PlaneCells, end_where_the_scene_does) {
+    const Region region{"disc", {disc(Vec(0, 1, 0), 0.9, 100)}};
+    for (const bool periodic : {true, false}) {
+        const BoxLattice boxes = boxes_of(space_with(periodic, !periodic), Vec(0.5, 0.5, 0));
+        const SolidCells cells = RegionOnBoxes(region, boxes).cells();
+        EXPECT_NEAR(cells.volume() / region.area(), 0.5, 1e-6);
+        for (const CellNode& node : cells.nodes) EXPECT_GE(node.position[0], 0);
+    }
+}
+
+TEST(PlaneCells, stay_on_a_plane_of_symmetry_that_they_reach) {
+    const ParticleSpace space = space_with(false, true);
+    const BoxLattice boxes = boxes_of(space, Vec(0.5, 0.5, 0));
+    for (const double gap : {0.0, 0.15}) {
+        const Region region{"beam", {rectangle(Vec(1 + gap / 2, 1, 0), 2 - gap, 1)}};
+        SolidCells cells = RegionOnBoxes(region, boxes).cells();
+        hold_on_planes(space, cells);
+        const auto held = std::ranges::count_if(cells.nodes, [](const CellNode& node) { return node.on_plane[0]; });
+        EXPECT_EQ(held, gap == 0 ? 3 : 0);
+    }
+}
+
+TEST(Bodies, of_cells_hang_together_by_their_nodes) {
+    const Region region{"two", {rectangle(Vec(0.5, 0.5, 0), 1, 1), rectangle(Vec(2.5, 0.5, 0), 1, 1)}};
+    const SolidCells cells = RegionOnBoxes(region, BoxLattice{2, Vec(0, 0, 0), Vec(0.5, 0.5, 0)}).cells();
+    ParticleSet set;
+    set.parts = {{"two", PartKind::elastic}};
+    for (const Filling& filling : cells.fillings) {
+        set.position.push_back(filling.centroid);
+        set.part.push_back(0);
+        set.body.push_back(-1);
+    }
+    add_cells_of(cells, 0, set);
+    number_bodies(set);
+    EXPECT_EQ(set.body, cells.piece);
 }
 
 }  // namespace

@@ -156,6 +156,54 @@ TEST_P(CellsOnRanks, are_the_same_bits_on_any_number_of_ranks) {
     }
 }
 
+TEST(CellsInThickLiquid, move_with_implicit_viscosity_to_the_same_bits_on_any_number_of_ranks) {
+    for (const int dimension : {2, 3}) {
+        SceneAndParticles made = solid_in_water(dimension, SpringStepping::implicit);
+        made.scene.numerics.viscosity_stepping = ViscosityStepping::implicitly;
+        made.scene.parts[0].viscosity = 100.0;
+        const RunSummary alone = run_on(made, Ranks::alone()), shared = run_on(made, Ranks::world());
+        EXPECT_GT(alone.steps, 2);
+        EXPECT_EQ(shared.momentum_residual, alone.momentum_residual);
+        EXPECT_LT(shared.momentum_residual, 1e-12);
+        if (Ranks::world().is_first()) {
+            EXPECT_EQ(shared.state_hash, alone.state_hash);
+        }
+    }
+}
+
+class LastFrame : public FrameSink {
+  public:
+    void write(const Frame& frame) override { last = frame; }
+    Frame last;
+};
+
+/// How far the particles of the solid have moved at the end, all together [m].
+double moved(SceneAndParticles made) {
+    made.scene.output.solid_fields = std::vector<SolidField>{SolidField::displacement};
+    LastFrame sink;
+    RunOptions options;
+    options.sink = &sink;
+    Resources alone(1);
+    alone.ranks = Ranks::alone();
+    Simulation(made.scene, made.particles, alone).run(options);
+    double sum = 0;
+    for (const FrameGroup& group : sink.last.groups)
+        for (const FrameField& field : group.fields)
+            if (field.name == "displacement")
+                for (const float component : field.values) sum += std::abs(static_cast<double>(component));
+    return sum;
+}
+
+TEST(CellsInThickLiquid, move_as_with_explicit_viscosity) {
+    SceneAndParticles made = solid_in_water(2, SpringStepping::implicit);
+    made.scene.parts[0].viscosity = 20.0;
+    made.scene.numerics.step_factor = 0.05;
+    const double explicitly = moved(made);
+    made.scene.numerics.viscosity_stepping = ViscosityStepping::implicitly;
+    EXPECT_GT(explicitly, 0);
+    EXPECT_NEAR(moved(made) / explicitly, 1, 0.02);
+}
+
 TEST_P(CellsOnRanks, only_the_first_rank_needs_the_particles) {
     SceneAndParticles given = made_;
     if (!ranks_.is_first()) given.particles = {};

@@ -82,6 +82,7 @@ TEST(CellsInFile, that_nobody_can_use_are_named) {
         {"cell 1: a corner is a period away along an axis that has none", [](auto& set) { set.periodic[0] = false; }},
         {"cell 0: a corner is a period away along an axis that has none",
          [](auto& set) { set.cells[0].periods = SolidCell::period_bit(5, 0); }},
+        {"cell 1: a node is another body's, too", [](auto& set) { set.body[1] = 1; }},
         {"particle 1 is in a body of cells, and is none", [](auto& set) { set.cells.pop_back(); }},
         {"bond 0 ends at a cell, which has no bonds", [](auto& set) {
              set.bonds.push_back({2, 1, 1, 1});

@@ -296,11 +296,16 @@ TEST(ElasticCell, says_cauchys_stress) {
     stretch(0, 0) = 1.1;
     const LameConstants of = cell.constants();
     const double strain = (1.1 * 1.1 - 1) / 2;
-    Matrix<2> expected = Matrix<2>::Zero();
-    expected(0, 0) = 1.1 * 1.1 * (of.lambda + 2 * of.mu) * strain / 1.1;
-    expected(1, 1) = of.lambda * strain / 1.1;
+    Matrix<2> in_plane = Matrix<2>::Zero();
+    in_plane(0, 0) = 1.1 * 1.1 * (of.lambda + 2 * of.mu) * strain / 1.1;
+    in_plane(1, 1) = of.lambda * strain / 1.1;
+    Matrix<3> expected = Matrix<3>::Zero();
+    expected.topLeftCorner<2, 2>() = turn * in_plane * turn.transpose();
+    expected(2, 2) = of.lambda * strain / 1.1;  // plane strain
     const auto x = (turn * stretch * corners_at_rest<2>({1, 1})).eval();
-    EXPECT_LT((cell.stress(SaintVenantKirchhoff{of}, x) - turn * expected * turn.transpose()).norm(), 1e-14);
+    EXPECT_LT((cell.stress(SaintVenantKirchhoff{of}, x) - expected).norm(), 1e-14);
+    EXPECT_NEAR(cell.principal_strains(x)[1], strain, 1e-14);
+    EXPECT_NEAR(cell.principal_strains(x)[0], 0, 1e-14);
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
                    without(s, PartKind::elastic);
                    give(s.numerics.spring_stepping, SpringStepping::subcycled);
                },
-               "scene.toml:7:9: numerics.spring_stepping", "has no effect: no part has springs"},
+               "scene.toml:7:9: numerics.spring_stepping", "has no effect: no part is elastic"},
         Oddity{"step_factor_of_implicit_springs", [](Scene& s) { give(s.numerics.spring_step_factor, 0.5); },
                "scene.toml:7:9: numerics.spring_step_factor", "has no effect: springs are stepped implicitly"},
         Oddity{"gap_of_a_disabled_part",
