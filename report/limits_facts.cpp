@@ -117,8 +117,6 @@ std::string limit_way_text(const LimitsFacts::Dial& dial) {
             return "breaks";
         case LimitWay::refused:
             return "refused";
-        case LimitWay::failed:
-            return "fails";
     }
     unlisted_value(dial.way);
 }

@@ -19,12 +19,11 @@ inline constexpr const char* limits_picture_name = "limits.svg";
 
 /// How the values of a dial end.
 enum class LimitWay {
-    not_measured,  ///< not yet: other runs come first, or there was no time
+    not_measured,  ///< not yet: there was no time, or a run failed, other than by what it was given
     none_found,    ///< all values are clean
     departs,       ///< a measure is further from that of the scene's own settings than is allowed
     breaks,        ///< the simulation diverges
-    refused,       ///< by the check of the scene or of its particles
-    failed         ///< otherwise
+    refused        ///< by the check of the scene or of its particles
 };
 
 /// What was found of where a scene's models end, as limits.json has it.
@@ -42,7 +41,7 @@ struct LimitsFacts {
         std::optional<double> clean, bad;  ///< last clean value, the scene's own at least, and first bad one
         std::string clean_run, bad_run;    ///< "": none was needed
         LimitWay way = LimitWay::not_measured;
-        std::string cause;             ///< what the first bad run said, or why there are no further values
+        std::string cause;  ///< what the first bad run said, or why there are no further values; or the failed one
         std::string likely_causes;     ///< that it named; "": none
         double distance = 0;           ///< of the measure that departs; NaN: none
         std::string column;            ///< that it is of
@@ -88,7 +87,7 @@ void write_limits_facts(const std::filesystem::path& folder, const LimitsFacts& 
 namespace dmp {
 
 template <>
-inline constexpr auto enum_names<report::LimitWay> =
-    std::to_array<std::string_view>({"not_measured", "none_found", "departs", "breaks", "refused", "failed"});
+inline constexpr auto enum_names<report::LimitWay> = std::to_array<std::string_view>({"not_measured", "none_found",
+                                                                                      "departs", "breaks", "refused"});
 
 }  // namespace dmp

@@ -73,7 +73,6 @@ std::string end_mark(LimitWay way, double x, double y, bool is_up) {
         case LimitWay::departs:
             return path("m0 -5.5l5.5 5.5l-5.5 5.5l-5.5 -5.5z", "#ffffff", break_colour);
         case LimitWay::breaks:
-        case LimitWay::failed:
             return path("m-4.5 -4.5l9 9m0 -9l-9 9", "none", break_colour);
         case LimitWay::refused:
             return path("m0 -7v14", "none", svg_dark);

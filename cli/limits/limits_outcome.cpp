@@ -20,6 +20,7 @@ LimitWay way_of(RungWay way) {
     switch (way) {
         case RungWay::unknown:
         case RungWay::clean:
+        case RungWay::failed:
             return LimitWay::not_measured;
         case RungWay::departs:
             return LimitWay::departs;
@@ -27,8 +28,6 @@ LimitWay way_of(RungWay way) {
             return LimitWay::breaks;
         case RungWay::refused:
             return LimitWay::refused;
-        case RungWay::failed:
-            return LimitWay::failed;
     }
     unlisted_value(way);
 }
@@ -52,7 +51,8 @@ LimitsFacts::Dial found_of(const study::LimitStudy& study, std::size_t index, Ru
         found.stated_by = dial.stated->formula;
     }
     if (!ends.has_reference()) return found;
-    const study::RungBracket bracket = study::bracket_of(ends.states_of(index));
+    const std::vector<study::RungState> states = ends.states_of(index);
+    const study::RungBracket bracket = study::bracket_of(states);
     const auto name_of = [&](std::size_t rung) { return points.at(study.run_of(index, rung)).name; };
     found.clean = bracket.clean == 0 ? dial.own() : dial.rungs[bracket.clean - 1].value;
     found.clean_run = name_of(bracket.clean);
@@ -62,17 +62,21 @@ LimitsFacts::Dial found_of(const study::LimitStudy& study, std::size_t index, Ru
         const RungEnd& end = ends.of(study.run_of(index, bracket.bad));
         found.bad = dial.rungs[bracket.bad - 1].value;
         found.bad_run = name_of(bracket.bad);
-        found.cause = end.text;
-        found.likely_causes = end.likely_causes;
-        found.distance = end.distance;
-        found.column = end.column;
-        if (bracket.is_settled()) found.way = way_of(end.way);
+        if (bracket.is_settled()) {
+            found.cause = end.text;
+            found.likely_causes = end.likely_causes;
+            found.distance = end.distance;
+            found.column = end.column;
+            found.way = way_of(end.way);
+        }
     } else if (bracket.is_settled()) {
         found.cause = dial.refused.empty() ? dial.end : dial.refused;
         found.way = dial.refused.empty() ? LimitWay::none_found : LimitWay::refused;
         // The last value is the bound that the check has.
         if (!dial.refused.empty()) found.bad = dial.rungs.empty() ? dial.own() : dial.rungs.back().value;
     }
+    if (const auto failed = study::failed_rung(states))
+        found.cause = "run " + name_of(*failed) + " failed: " + ends.of(study.run_of(index, *failed)).text;
     return found;
 }
 

@@ -55,8 +55,9 @@ study::RungState RungEnd::state() const {
         case RungWay::departs:
         case RungWay::breaks:
         case RungWay::refused:
-        case RungWay::failed:
             return study::RungState::bad;
+        case RungWay::failed:
+            return study::RungState::failed;
     }
     unlisted_value(way);
 }

@@ -25,7 +25,7 @@ enum class RungWay {
     departs,  ///< a measure is further from that of the scene's own settings than is allowed
     breaks,   ///< the simulation diverged
     refused,  ///< bad input, by the check of the scene or of its particles
-    failed    ///< otherwise
+    failed    ///< otherwise: killed, without memory or disk, or by a bug
 };
 
 struct RungEnd {

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include "base/safe_file.hpp"
+#include "cli/limits/limits_outcome.hpp"
 #include "cli/limits/rung_ends.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/sweep/sweep_folder.hpp"
@@ -65,6 +66,17 @@ class EndsOfRungs : public testing::Test {
         write_file(folder / "measures.csv",
                    "time [s],flux_in [m^2/s],tip_gap [m]\n0," + flux + "," + gap + "\n1," + flux + "," + gap + "\n");
         add(run, 0, "");
+    }
+    [[nodiscard]] LimitsFacts facts() const {
+        LimitsRequest request{.overrides = {},
+                              .common = {},
+                              .added = {},
+                              .read = scene_,
+                              .budget = {},
+                              .study = *limits_,
+                              .asked = {true, true}};
+        RungEnds found = ends();
+        return limits_found(request, "scene.toml", found, *points_);
     }
     void add(std::size_t run, int exit_code, const std::string& error) const {
         SweepRow row;
@@ -144,7 +156,7 @@ TEST_F(EndsOfRungs, WithoutValuesWhereTheScenesOwnHasSomeDepart) {
     EXPECT_EQ(found.of(2).column, "tip_gap");
 }
 
-TEST_F(EndsOfRungs, OfAPropertyOfWhatIsSimulatedAreBadOnlyWhereTheyFail) {
+TEST_F(EndsOfRungs, OfAPropertyOfWhatIsSimulatedAreBadOnlyWhereTheyBreakOrAreRefused) {
     ended(0, "1", "2");
     ended(1, "1", "2");
     const std::size_t first = limits_->run_of(1, 1);
@@ -152,9 +164,25 @@ TEST_F(EndsOfRungs, OfAPropertyOfWhatIsSimulatedAreBadOnlyWhereTheyFail) {
     add(first + 1, 2, "refused");
     add(first + 2, 139, "it was ended by signal 11");
     RungEnds found = ends();
-    EXPECT_THAT(found.states_of(1), ElementsAre(RungState::clean, RungState::bad, RungState::bad));
+    EXPECT_THAT(found.states_of(1), ElementsAre(RungState::clean, RungState::bad, RungState::failed));
     EXPECT_EQ(found.of(first + 1).way, RungWay::refused);
     EXPECT_EQ(found.of(first + 2).way, RungWay::failed);
+}
+
+TEST_F(EndsOfRungs, ThatFailedLeaveTheirDialNotMeasured) {
+    ended(0, "1", "2");
+    ended(1, "1", "2");
+    add(3, 4, "the disk is full");  // the middle one of the first dial
+    const std::size_t first = limits_->run_of(1, 1);
+    add(first, 3, "the simulation diverged");
+    add(first + 1, 137, "it was ended by signal 9");  // beyond what is known
+    const LimitsFacts found = facts();
+    ASSERT_EQ(found.dials.size(), 2U);
+    EXPECT_EQ(found.dials[0].way, LimitWay::not_measured);
+    EXPECT_EQ(found.dials[0].cause, "run " + points_->at(3).name + " failed: the disk is full");
+    EXPECT_FALSE(found.dials[0].bad);
+    EXPECT_EQ(found.dials[1].way, LimitWay::breaks);
+    EXPECT_EQ(found.dials[1].cause, "the simulation diverged");
 }
 
 }  // namespace

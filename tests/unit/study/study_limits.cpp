@@ -33,7 +33,8 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
 
-constexpr RungState unknown = RungState::unknown, clean = RungState::clean, bad = RungState::bad;
+constexpr RungState unknown = RungState::unknown, clean = RungState::clean, bad = RungState::bad,
+                    failed = RungState::failed;
 
 TEST(Bracket, IsBetweenTheHighestCleanRungAndTheLowestBadOne) {
     const auto none = bracket_of({});
@@ -75,6 +76,16 @@ TEST(Bisection, FindsEachLimitWithinTheRunsThatItAnnounces) {
     EXPECT_EQ(most_runs_left({}), 0U);
     EXPECT_EQ(most_runs_left({clean, bad, unknown}), 0U);
     EXPECT_EQ(most_runs_left({unknown, unknown, bad}), 2U);
+}
+
+TEST(Bisection, DoesNotGoOnWhereARungInBetweenFailed) {
+    const std::vector<RungState> between{clean, unknown, failed, unknown, bad};
+    EXPECT_EQ(failed_rung(between), 3U);
+    EXPECT_FALSE(next_rung(between));
+    EXPECT_EQ(bracket_of(between).bad, 5U) << "it is not bad";
+    EXPECT_EQ(most_runs_left(between), 2U) << "it is run again";
+    EXPECT_FALSE(failed_rung({failed, clean, unknown, bad, failed})) << "they do not matter";
+    EXPECT_EQ(next_rung({failed, clean, unknown, bad, failed}), 3U);
 }
 
 /// Of good_scene: a step that sound rules, a little below that of the viscosity.
