@@ -40,6 +40,7 @@ Json json_of(const LimitsFacts::Dial& dial) {
               {"last_clean_run", dial.clean_run},
               {"first_bad", number(dial.bad)},
               {"first_bad_run", dial.bad_run},
+              {"bound", number(dial.bound)},
               {"ends", to_string(dial.way)},
               {"cause", dial.cause},
               {"likely_causes", dial.likely_causes},
@@ -84,6 +85,7 @@ LimitsFacts::Dial dial_of(const JsonValue& json) {
     dial.clean_run = json["last_clean_run"].text();
     dial.bad = value_of(json["first_bad"]);
     dial.bad_run = json["first_bad_run"].text();
+    dial.bound = value_of(json["bound"]);
     dial.way = way_of(json["ends"]);
     dial.cause = json["cause"].text();
     dial.likely_causes = json["likely_causes"].text();
@@ -95,7 +97,9 @@ LimitsFacts::Dial dial_of(const JsonValue& json) {
 
 }  // namespace
 
-std::optional<double> LimitsFacts::Dial::margin() const { return ratio(bad, *this); }
+std::optional<double> LimitsFacts::Dial::margin() const {
+    return way == LimitWay::not_measured ? std::nullopt : ratio(clean, *this);
+}
 
 std::optional<double> LimitsFacts::Dial::stated_margin() const { return ratio(stated, *this); }
 
@@ -116,7 +120,7 @@ std::string limit_way_text(const LimitsFacts::Dial& dial) {
         case LimitWay::breaks:
             return "breaks";
         case LimitWay::refused:
-            return "refused";
+            return dial.bound ? "refused beyond " + limit_value_text(dial.bound, dial.unit) : "refused";
     }
     unlisted_value(dial.way);
 }

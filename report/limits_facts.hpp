@@ -40,6 +40,7 @@ struct LimitsFacts {
         std::string stated_by;             ///< a formula, or what the check says
         std::optional<double> clean, bad;  ///< last clean value, the scene's own at least, and first bad one
         std::string clean_run, bad_run;    ///< "": none was needed
+        std::optional<double> bound;       ///< refused beyond, by the check of the scene: no value is bad
         LimitWay way = LimitWay::not_measured;
         std::string cause;  ///< what the first bad run said, or why there are no further values; or the failed one
         std::string likely_causes;     ///< that it named; "": none
@@ -47,7 +48,8 @@ struct LimitsFacts {
         std::string column;            ///< that it is of
         std::vector<std::string> set;  ///< what --set takes for the last clean value
 
-        /// First bad value over the scene's own, or the inverse where it is below; none where there is none.
+        /// Last clean value over the scene's own, or the inverse where it is below: how far it may go at least; none
+        /// where the dial is not measured to its end.
         [[nodiscard]] std::optional<double> margin() const;
         /// Stated limit over the scene's own value, or the inverse, likewise.
         [[nodiscard]] std::optional<double> stated_margin() const;

@@ -101,7 +101,8 @@ class Ladders {
         }
         const double last = dial.rungs.empty() ? 1 : dial.rungs.back().factor;
         if (std::max(good / last, last / good) > nearly) add(dial, good);
-        if (!dial.stated) dial.stated = StatedLimit{rung_at(dial, good).value, dial.refused};
+        dial.bound = rung_at(dial, good).value;
+        if (!dial.stated) dial.stated = StatedLimit{*dial.bound, dial.refused};
         dial.end = "refused beyond: " + dial.refused;
     }
 
@@ -133,6 +134,7 @@ class Ladders {
                                : "beyond, steps are more than " + number_text(largest_cost) + " times shorter, by '" +
                                      ruling + "'";
             dial.refused.clear();
+            dial.bound.reset();
             dial.rungs.erase(rung, dial.rungs.end());
             return;
         }

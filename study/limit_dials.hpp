@@ -61,6 +61,7 @@ struct Dial {
     std::vector<DialRung> rungs;  ///< from the scene's own value away
     std::string end;              ///< why the ladder has no further rungs
     std::string refused;          ///< what the scene's check says of what is beyond the last rung; "": it allows it
+    std::optional<double> bound;  ///< the last value that the check allows, where it refuses what is beyond
 
     [[nodiscard]] double own() const { return keys.front().own; }
     [[nodiscard]] const std::string& unit() const { return keys.front().unit; }

@@ -72,8 +72,7 @@ LimitsFacts::Dial found_of(const study::LimitStudy& study, std::size_t index, Ru
     } else if (bracket.is_settled()) {
         found.cause = dial.refused.empty() ? dial.end : dial.refused;
         found.way = dial.refused.empty() ? LimitWay::none_found : LimitWay::refused;
-        // The last value is the bound that the check has.
-        if (!dial.refused.empty()) found.bad = dial.rungs.empty() ? dial.own() : dial.rungs.back().value;
+        found.bound = dial.bound;
     }
     if (const auto failed = study::failed_rung(states))
         found.cause = "run " + name_of(*failed) + " failed: " + ends.of(study.run_of(index, *failed)).text;

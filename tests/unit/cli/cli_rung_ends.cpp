@@ -45,9 +45,13 @@ class EndsOfRungs : public testing::Test {
             dials[k].keys.push_back(
                 {keys[k].first, keys[k].second, "", quote + std::to_string(keys[k].second) + unit + quote, {}});
             for (const double factor : {1.1, 1.2, 1.3})
-                dials[k].rungs.push_back(
-                    {factor, 0, {quote + std::to_string(keys[k].second * factor) + unit + quote}, 1});
+                dials[k].rungs.push_back({factor,
+                                          keys[k].second * factor,
+                                          {quote + std::to_string(keys[k].second * factor) + unit + quote},
+                                          1});
         }
+        dials[0].refused = "the check has a bound";
+        dials[0].bound = 3.9;
         limits_ = std::make_unique<LimitStudy>(dials, std::map<std::string, std::string>{{"numerics.support", "3.05"}});
         study_ = study::parse_study(limits_->text("scene.toml", "", {}, "out"), "out/study.toml");
         points_ = std::make_unique<study::Points>(study_);
@@ -183,6 +187,26 @@ TEST_F(EndsOfRungs, ThatFailedLeaveTheirDialNotMeasured) {
     EXPECT_FALSE(found.dials[0].bad);
     EXPECT_EQ(found.dials[1].way, LimitWay::breaks);
     EXPECT_EQ(found.dials[1].cause, "the simulation diverged");
+}
+
+TEST_F(EndsOfRungs, AtTheBoundOfTheCheckHaveNoBadValue) {
+    ended(0, "1", "2");
+    ended(1, "1", "2");
+    ended(3, "1", "2");
+    EXPECT_FALSE(facts().dials.at(0).margin()) << "not measured to its end";
+    ended(4, "1", "2");
+    ended(6, "1", "2");
+    add(7, 3, "the simulation diverged");
+    const LimitsFacts found = facts();
+    const LimitsFacts::Dial &bound = found.dials.at(0), &broken = found.dials.at(1);
+    EXPECT_EQ(bound.way, LimitWay::refused);
+    EXPECT_FALSE(bound.bad);
+    EXPECT_EQ(bound.bound, 3.9);
+    EXPECT_EQ(bound.cause, "the check has a bound");
+    EXPECT_NEAR(bound.margin().value(), 1.3, 1e-12);
+    EXPECT_FALSE(broken.bound);
+    EXPECT_NEAR(broken.bad.value(), 0.0035 * 1.3, 1e-12);
+    EXPECT_NEAR(broken.margin().value(), 1.2, 1e-12) << "of the last clean value";
 }
 
 }  // namespace

@@ -97,13 +97,28 @@ TEST_F(FolderOfLimits, ReadsWhatItHasWritten) {
     EXPECT_THAT(again.dials[1].set, ElementsAre("a=\"4 m/s\""));
     EXPECT_EQ(again.dials[1].cause, limits.dials[1].cause);
     EXPECT_EQ(again.tolerance, 0.05);
-    EXPECT_EQ(json()["dials"][1]["margin"], 2.5);
+    EXPECT_EQ(json()["dials"][1]["margin"], 2.0) << "on the safe side: last clean over own";
     EXPECT_EQ(json()["dials"][1]["stated_margin"], 2.25);
-    EXPECT_EQ(json()["dials"][0]["margin"], 4.0) << "downwards: own over bad";
+    EXPECT_EQ(json()["dials"][0]["margin"], 2.0) << "downwards: own over clean";
+    EXPECT_EQ(json()["dials"][2]["margin"], 2.0) << "at least";
     EXPECT_TRUE(json()["dials"][2]["first_bad"].is_null());
     EXPECT_TRUE(json()["measures"][1]["scatter"].is_null());
     EXPECT_EQ(json()["dials"][0]["distance"], 0.12);
     EXPECT_FALSE(json()["dials"][1].contains("distance"));
+}
+
+TEST_F(FolderOfLimits, HasNoMarginBeforeTheEndOfADialAndNoBadValueAtABound) {
+    LimitsFacts limits = valve();
+    limits.dials[1].way = LimitWay::not_measured;
+    limits.dials[3].bad.reset();
+    limits.dials[3].clean = limits.dials[3].bound = 5;
+    const LimitsFacts again = read_back(limits);
+    EXPECT_EQ(json()["dials"][1]["first_bad"], 5) << "as far as it is known";
+    EXPECT_TRUE(json()["dials"][1]["margin"].is_null());
+    EXPECT_TRUE(json()["dials"][3]["first_bad"].is_null());
+    EXPECT_EQ(json()["dials"][3]["bound"], 5);
+    EXPECT_EQ(json()["dials"][3]["margin"], 2.5);
+    EXPECT_THAT(limits_section(again), HasSubstr("<td>5 m/s</td><td>-</td><td>2.5</td><td>refused beyond 5 m/s</td>"));
 }
 
 TEST_F(FolderOfLimits, SaysWhatIsWrongWithADamagedFile) {
@@ -162,7 +177,7 @@ TEST(SectionOfLimits, HasTheTableOfTheDialsAndOfTheMeasures) {
     EXPECT_THAT(html, AllOf(HasSubstr("<section id=\"limits\""), HasSubstr("<svg ")));
     EXPECT_THAT(html,
                 HasSubstr("<th scope=\"row\">a</th><td>up</td><td>2 m/s</td><td>4.5 m/s</td><td>4 m/s</td>"
-                          "<td>5 m/s</td><td>2.5</td><td>breaks</td><td>what it is; stated: a formula; the step</td>"));
+                          "<td>5 m/s</td><td>2</td><td>breaks</td><td>what it is; stated: a formula; the step</td>"));
     EXPECT_THAT(html, HasSubstr("<td>departs: 12 % in flux</td>"));
     EXPECT_THAT(html, HasSubstr("<th scope=\"row\">flux</th><td>1 %</td><td>5 %</td>"));
     EXPECT_THAT(html, HasSubstr("<th scope=\"row\">gap</th><td>not known</td><td>not counted"));
