@@ -46,7 +46,7 @@ Found one_if(bool has_it, DialKey key) {
 
 bool has_flow(const DialScene& of) { return !of.facts.at_rest && !of.scene.parts_of(PartKind::fluid).empty(); }
 bool has_spheres(const DialScene& of) { return !of.scene.parts_of(PartKind::spheres).empty(); }
-bool has_auto_sound(const DialScene& of) { return has_flow(of) && !of.scene.numerics.sound_speed.given(); }
+bool has_auto_sound(const DialScene& of) { return has_flow(of) && !(*of.scene.numerics.sound_speed > 0); }
 
 std::string key_of_part(const Part& part, const char* key) { return "part." + *part.name + "." + key; }
 

@@ -130,6 +130,8 @@ TEST(Dials, AreThoseOfTheModelsThatTheSceneUses) {
         names_of(dials_of(good_scene, facts(), {"numerics.sound_speed=\"3 m/s\"", "numerics.shifting=0"}));
     EXPECT_THAT(given, AllOf(Contains("numerics.sound_speed"), Not(Contains("numerics.mach_number")),
                              Not(Contains("numerics.shifting"))));
+    const auto written = names_of(dials_of(good_scene, facts(), {"numerics.sound_speed=\"auto\""}));
+    EXPECT_THAT(written, AllOf(Contains("numerics.mach_number"), Not(Contains("numerics.sound_speed"))));
     const std::string tracer = "\n[[species]]\nname = \"tracer\"\ndiffusivity = \"1e-9 m^2/s\"\n";
     LimitFacts at_rest = facts();
     at_rest.at_rest = true;
