@@ -84,7 +84,7 @@ double sound_limit_of(KernelKind kind) {
 
 /// c0 dt / R above which the corrected scheme is unstable, measured (docs/scheme.md): of liquids and walls, and where
 /// elastic nodes, stepped implicitly or sub-cycled, are as heavy as the liquid that they displace.
-constexpr double of_liquid = 0.7, of_elastic = 0.6, of_subcycled_elastic = 0.4;
+constexpr double of_liquid = 0.7, of_elastic = 0.6, of_subcycled_elastic = 0.33;
 
 /// The step is step_factor R / (c0 + U).
 std::optional<StatedLimit> largest_step_factor(const DialScene& of) {

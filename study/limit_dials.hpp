@@ -20,7 +20,8 @@ struct LimitFacts {
     double sound_speed = 0, largest_speed = 0;  ///< [m/s]
     double contact_strength = 0;                ///< K of the short-range repulsion [J]; 0: there is none
     double dt = 0;                              ///< time step [s]
-    std::map<std::string, double> step_limits;  ///< largest step of each model [s]
+    std::map<std::string, double> step_limits;  ///< largest step of each model that the step follows from [s]
+    std::vector<std::string> subcycled;         ///< models with steps of their own in each step, which take time
 };
 
 /// Which way a value goes from the scene's own.

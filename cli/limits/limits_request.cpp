@@ -37,8 +37,11 @@ study::LimitFacts facts_of(const Scene& scene, const Plan& plan, const Resources
         facts.contact_strength = pair_settings(scene, resources).repulsion_strength;
     for (const StepLimit& limit : plan.limits) {
         if (limit.formula.find("not binding") != std::string::npos) continue;
-        // The fluid's step does not follow from those that are sub-cycled, but they take as much longer.
-        facts.step_limits[limit.model] = limit.model.starts_with("elastic") ? plan.dt : limit.dt;
+        // The fluid's step does not follow from those that are sub-cycled.
+        if (limit.model.starts_with("elastic"))
+            facts.subcycled.push_back(limit.model);
+        else
+            facts.step_limits[limit.model] = limit.dt;
     }
     return facts;
 }
