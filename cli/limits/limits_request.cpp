@@ -15,6 +15,7 @@
 #include "cli/text.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/run/setup.hpp"
+#include "solver/run/sound_speed.hpp"
 #include "solver/simulation.hpp"
 #include "study/written_study.hpp"
 
@@ -34,7 +35,8 @@ study::LimitFacts facts_of(const Scene& scene, const Plan& plan, const Resources
     facts.largest_speed = plan.largest_speed;
     facts.dt = plan.dt;
     if (scene.parts_of(PartKind::spheres).empty())
-        facts.contact_strength = pair_settings(scene, resources).repulsion_strength;
+        // "auto" is by the speed of sound that the run has.
+        facts.contact_strength = pair_settings(with_sound_speed(scene, plan.sound), resources).repulsion_strength;
     for (const StepLimit& limit : plan.limits) {
         if (limit.formula.find("not binding") != std::string::npos) continue;
         // The fluid's step does not follow from those that are sub-cycled.
