@@ -98,7 +98,8 @@ LimitsFacts::Dial dial_of(const JsonValue& json) {
 }  // namespace
 
 std::optional<double> LimitsFacts::Dial::margin() const {
-    return way == LimitWay::not_measured ? std::nullopt : ratio(clean, *this);
+    const bool has_end = way != LimitWay::not_measured && way != LimitWay::no_measure;
+    return has_end ? ratio(clean, *this) : std::nullopt;
 }
 
 std::optional<double> LimitsFacts::Dial::stated_margin() const { return ratio(stated, *this); }
@@ -121,6 +122,8 @@ std::string limit_way_text(const LimitsFacts::Dial& dial) {
             return "breaks";
         case LimitWay::refused:
             return dial.bound ? "refused beyond " + limit_value_text(dial.bound, dial.unit) : "refused";
+        case LimitWay::no_measure:
+            return "no measure counts";
     }
     unlisted_value(dial.way);
 }
@@ -128,10 +131,15 @@ std::string limit_way_text(const LimitsFacts::Dial& dial) {
 std::string margin_text(const std::optional<double>& margin) { return margin ? dmp::number_text(*margin, 3) : "-"; }
 
 void write_limits_facts(const std::filesystem::path& folder, const LimitsFacts& limits) {
-    Json json{{"scene", limits.scene},           {"name", limits.name},
-              {"version", limits.version},       {"set_in_all", limits.set_in_all},
-              {"simulated_s", limits.simulated}, {"duration_s", limits.duration},
-              {"tolerance", limits.tolerance},   {"own_run", limits.own_run}};
+    Json json{{"scene", limits.scene},
+              {"name", limits.name},
+              {"version", limits.version},
+              {"set_in_all", limits.set_in_all},
+              {"simulated_s", limits.simulated},
+              {"duration_s", limits.duration},
+              {"tolerance", limits.tolerance},
+              {"own_run", limits.own_run},
+              {"notes", limits.notes}};
     for (const char* list : {"measures", "dials"}) json[list] = Json::array();
     for (const LimitsFacts::Column& column : limits.columns)
         json["measures"].push_back({{"name", column.name},
@@ -155,6 +163,7 @@ LimitsFacts read_limits_facts(const std::filesystem::path& file) {
     limits.duration = json["duration_s"].number();
     limits.tolerance = json["tolerance"].number();
     limits.own_run = json["own_run"].text();
+    limits.notes = json["notes"].texts();
     for (const JsonValue& column : json["measures"].elements())
         limits.columns.push_back(
             {column["name"].text(), column["scatter"].number(), column["allowed"].number(), column["counts"].truth()});

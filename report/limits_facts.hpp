@@ -23,7 +23,8 @@ enum class LimitWay {
     none_found,    ///< all values are clean
     departs,       ///< a measure is further from that of the scene's own settings than is allowed
     breaks,        ///< the simulation diverges
-    refused        ///< by the check of the scene or of its particles
+    refused,       ///< by the check of the scene or of its particles
+    no_measure     ///< it is by measures that it would be seen, and none counts
 };
 
 /// What was found of where a scene's models end, as limits.json has it.
@@ -69,6 +70,7 @@ struct LimitsFacts {
     double tolerance = 0;
     std::string own_run;
     std::vector<Column> columns;
+    std::vector<std::string> notes;  ///< what is to be known of the measures, such as that their scatter is not known
     std::vector<Dial> dials;
 };
 
@@ -89,7 +91,7 @@ void write_limits_facts(const std::filesystem::path& folder, const LimitsFacts& 
 namespace dmp {
 
 template <>
-inline constexpr auto enum_names<report::LimitWay> = std::to_array<std::string_view>({"not_measured", "none_found",
-                                                                                      "departs", "breaks", "refused"});
+inline constexpr auto enum_names<report::LimitWay> =
+    std::to_array<std::string_view>({"not_measured", "none_found", "departs", "breaks", "refused", "no_measure"});
 
 }  // namespace dmp

@@ -67,6 +67,7 @@ std::string end_mark(LimitWay way, double x, double y, bool is_up) {
     };
     switch (way) {
         case LimitWay::not_measured:
+        case LimitWay::no_measure:
             return "";
         case LimitWay::none_found:
             return path(is_up ? "m1 -4l5 4l-5 4" : "m-1 -4l-5 4l5 4", "none", svg_soft);
@@ -163,7 +164,8 @@ std::string legend() {
 
 std::string limits_picture(const LimitsFacts& limits) {
     const LimitsPlot plot(limits);
-    const auto unmeasured = std::ranges::count(limits.dials, LimitWay::not_measured, &Dial::way);
+    const auto unmeasured = std::ranges::count(limits.dials, LimitWay::not_measured, &Dial::way) +
+                            std::ranges::count(limits.dials, LimitWay::no_measure, &Dial::way);
     const double height = plot.bottom() + 50 + (unmeasured > 0 ? 6 + Layout::line_height : 0);
     const std::string name = shortened(limits.name, 56);
     const std::string what = fmt::format("where its models end, by runs of {:.4g} s", limits.simulated);

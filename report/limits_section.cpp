@@ -39,7 +39,9 @@ std::string columns_table(const LimitsFacts& limits) {
         rows.push_back({column.name, error_text(column.scatter),
                         column.counts ? error_text(column.allowed) : "not counted: zero, or scattered"});
     if (rows.empty()) return "";
-    return "<h3>Measures</h3>\n" + table("Measures", {"measure", "scatter", "departs above"}, rows, 3);
+    std::string notes;
+    for (const std::string& note : limits.notes) notes += "<p>" + escaped(note) + "</p>\n";
+    return "<h3>Measures</h3>\n" + notes + table("Measures", {"measure", "scatter", "departs above"}, rows, 3);
 }
 
 }  // namespace

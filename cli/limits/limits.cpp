@@ -50,7 +50,7 @@ class Search {
         if (ends_.of(LimitStudy::own).way != RungWay::clean) return false;
         const auto place = request_.study.place_of(run);
         if (!place) return true;
-        return ends_.has_reference() && request_.asked[place->dial] &&
+        return ends_.has_reference() && request_.asked[place->dial] && ends_.can_compare(place->dial) &&
                study::next_rung(ends_.states_of(place->dial)) == place->rung;
     }
 
@@ -60,8 +60,10 @@ class Search {
         if (own != RungWay::clean && own != RungWay::unknown) return 0;
         std::size_t left = own == RungWay::unknown ? 1 : 0;
         if (request_.study.repeat() && ends_.of(*request_.study.repeat()).way == RungWay::unknown) ++left;
+        const bool is_known = ends_.has_reference();
         for (std::size_t dial = 0; dial < request_.asked.size(); ++dial)
-            if (request_.asked[dial]) left += study::most_runs_left(ends_.states_of(dial));
+            if (request_.asked[dial] && (!is_known || ends_.can_compare(dial)))
+                left += study::most_runs_left(ends_.states_of(dial));
         return left;
     }
 

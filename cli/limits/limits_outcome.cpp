@@ -51,6 +51,10 @@ LimitsFacts::Dial found_of(const study::LimitStudy& study, std::size_t index, Ru
         found.stated_by = dial.stated->formula;
     }
     if (!ends.has_reference()) return found;
+    if (!ends.can_compare(index)) {
+        found.way = LimitWay::no_measure;
+        return found;
+    }
     const std::vector<study::RungState> states = ends.states_of(index);
     const study::RungBracket bracket = study::bracket_of(states);
     const auto name_of = [&](std::size_t rung) { return points.at(study.run_of(index, rung)).name; };
@@ -99,9 +103,11 @@ LimitsFacts limits_found(const LimitsRequest& request, const std::string& scene,
     if (ends.has_reference())
         for (const LimitColumn& column : ends.columns())
             limits.columns.push_back({column.name, column.scatter, column.allowed, column.counts()});
+    limits.notes = ends.notes();
     for (std::size_t k = 0; k < request.study.dials().size(); ++k) {
         LimitsFacts::Dial found = found_of(request.study, k, ends, points);
-        if (request.asked[k] || found.way != LimitWay::not_measured) limits.dials.push_back(std::move(found));
+        const bool has_end = found.way != LimitWay::not_measured && found.way != LimitWay::no_measure;
+        if (request.asked[k] || has_end) limits.dials.push_back(std::move(found));
     }
     return limits;
 }
@@ -123,6 +129,7 @@ std::string limits_text(const LimitsFacts& limits) {
         measures.push_back({column.name, part_text(column.scatter),
                             column.counts ? part_text(column.allowed) : "not counted: zero, or scattered"});
     if (!limits.columns.empty()) text += style.strong("Measures") + "\n" + table_text(measures);
+    for (const std::string& note : limits.notes) text += note + "\n";
     return text;
 }
 

@@ -108,6 +108,9 @@ TEST_F(EndsOfRungs, AreNotKnownBeforeThatOfTheScenesOwnSettingsAndItsRepeat) {
     EXPECT_THAT(ends().states_of(0), ElementsAre(RungState::unknown, RungState::unknown, RungState::unknown));
     add(1, 2, "its spacing is refused");
     EXPECT_TRUE(ends().has_reference()) << "without a scatter";
+    EXPECT_THAT(facts().notes,
+                ElementsAre("The repeat, run " + points_->at(1).name +
+                            ", is refused: its spacing is refused. The scatter of measures is not known."));
     EXPECT_THAT(ends().states_of(0), ElementsAre(RungState::clean, RungState::unknown, RungState::unknown));
 }
 
@@ -148,6 +151,16 @@ TEST_F(EndsOfRungs, OfMeasuresThatAreZeroOrScatterDoNotCount) {
     ASSERT_TRUE(found.has_reference());
     EXPECT_FALSE(found.columns()[0].counts() || found.columns()[1].counts());
     EXPECT_EQ(found.of(2).way, RungWay::clean);
+    EXPECT_FALSE(found.can_compare(0));
+    EXPECT_TRUE(found.can_compare(1)) << "what breaks is seen without";
+    const LimitsFacts limits = facts();
+    ASSERT_EQ(limits.dials.size(), 2U);
+    EXPECT_EQ(limits.dials[0].way, LimitWay::no_measure);
+    EXPECT_FALSE(limits.dials[0].margin() || limits.dials[0].clean);
+    EXPECT_EQ(limits.dials[1].way, LimitWay::not_measured);
+    EXPECT_THAT(limits.notes, ElementsAre(testing::StartsWith("No measure counts: ")));
+    EXPECT_THAT(limits_text(limits),
+                testing::AllOf(testing::HasSubstr("no measure counts"), testing::HasSubstr(limits.notes[0])));
 }
 
 TEST_F(EndsOfRungs, WithoutValuesWhereTheScenesOwnHasSomeDepart) {

@@ -70,6 +70,7 @@ LimitsFacts valve() {
     limits.dials[1].cause = "the fluid is <faster> than its sound";
     limits.dials[1].likely_causes = "the step";
     limits.dials[1].set = {"a=\"4 m/s\""};
+    limits.notes = {"The repeat <breaks>."};
     return limits;
 }
 
@@ -93,6 +94,7 @@ TEST_F(FolderOfLimits, ReadsWhatItHasWritten) {
     const LimitsFacts limits = valve(), again = read_back(limits);
     EXPECT_EQ(limits_picture(again), limits_picture(limits));
     EXPECT_EQ(limits_section(again), limits_section(limits));
+    EXPECT_THAT(again.notes, ElementsAre("The repeat <breaks>."));
     EXPECT_THAT(again.set_in_all, ElementsAre("run.threads=1"));
     EXPECT_THAT(again.dials[1].set, ElementsAre("a=\"4 m/s\""));
     EXPECT_EQ(again.dials[1].cause, limits.dials[1].cause);
@@ -178,6 +180,7 @@ TEST(SectionOfLimits, HasTheTableOfTheDialsAndOfTheMeasures) {
     EXPECT_THAT(html,
                 HasSubstr("<th scope=\"row\">a</th><td>up</td><td>2 m/s</td><td>4.5 m/s</td><td>4 m/s</td>"
                           "<td>5 m/s</td><td>2</td><td>breaks</td><td>what it is; stated: a formula; the step</td>"));
+    EXPECT_THAT(html, HasSubstr("<h3>Measures</h3>\n<p>The repeat &lt;breaks&gt;.</p>"));
     EXPECT_THAT(html, HasSubstr("<td>departs: 12 % in flux</td>"));
     EXPECT_THAT(html, HasSubstr("<th scope=\"row\">flux</th><td>1 %</td><td>5 %</td>"));
     EXPECT_THAT(html, HasSubstr("<th scope=\"row\">gap</th><td>not known</td><td>not counted"));
@@ -197,6 +200,8 @@ TEST_F(FolderOfLimits, SayOnThePageHowManyAreMeasured) {
                                          HasSubstr("<h2 id=\"limits-heading\">Limits</h2>")));
     limits.dials[2].way = LimitWay::not_measured;
     EXPECT_THAT(page_with(limits), HasSubstr("Not complete: 3 of 4 limits measured, by 0 runs"));
+    limits.dials[2].way = LimitWay::no_measure;
+    EXPECT_THAT(page_with(limits), HasSubstr("Complete: 3 limits measured, by 0 runs"));
 }
 
 TEST(LogAxis, HasPlainNumbers) {
