@@ -29,6 +29,7 @@ Json number(const std::optional<double>& value) {
 
 Json json_of(const LimitsFacts::Dial& dial) {
     Json json{{"dial", dial.name},
+              {"keys", dial.keys},
               {"what", dial.what},
               {"side", dial.is_up ? "up" : "down"},
               {"is_physical", dial.is_physical},
@@ -72,6 +73,7 @@ LimitWay way_of(const JsonValue& json) {
 LimitsFacts::Dial dial_of(const JsonValue& json) {
     LimitsFacts::Dial dial;
     dial.name = json["dial"].text();
+    dial.keys = json["keys"].texts();
     dial.what = json["what"].text();
     dial.is_up = json["side"].text() != "down";
     dial.is_physical = json["is_physical"].truth();

@@ -31,7 +31,8 @@ enum class LimitWay {
 struct LimitsFacts {
     /// A value of a scene that was turned, up or down.
     struct Dial {
-        std::string name;  ///< its key: "part.blood.viscosity"
+        std::string name;               ///< its first key: "part.blood.viscosity"
+        std::vector<std::string> keys;  ///< all, which go by the same factor
         std::string what;
         bool is_up = true;
         bool is_physical = false;

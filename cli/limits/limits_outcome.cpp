@@ -40,6 +40,7 @@ LimitsFacts::Dial found_of(const study::LimitStudy& study, std::size_t index, Ru
     const study::Dial& dial = study.dials()[index];
     LimitsFacts::Dial found;
     found.name = dial.name;
+    for (const study::DialKey& key : dial.keys) found.keys.push_back(key.key);
     found.what = dial.what;
     found.is_up = dial.side == study::DialSide::up;
     found.is_physical = dial.is_physical;

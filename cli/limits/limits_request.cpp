@@ -86,18 +86,19 @@ double rounded(double time) {
 
 std::string seconds(double time) { return "\"" + number_text(time, 9) + " s\""; }
 
+}  // namespace
+
 std::vector<bool> asked_dials(const std::vector<study::Dial>& dials, const std::vector<std::string>& names) {
     std::vector<bool> asked(dials.size(), names.empty());
     for (const std::string& name : names) {
         bool found = false;
-        for (std::size_t k = 0; k < dials.size(); ++k) {
-            if (dials[k].name != name && !dials[k].name.ends_with("." + name)) continue;
-            asked[k] = found = true;
-        }
-        if (found) continue;
         std::vector<std::string> known;
-        for (const study::Dial& dial : dials)
-            if (std::ranges::find(known, dial.name) == known.end()) known.push_back(dial.name);
+        for (std::size_t k = 0; k < dials.size(); ++k)
+            for (const study::DialKey& key : dials[k].keys) {
+                if (std::ranges::find(known, key.key) == known.end()) known.push_back(key.key);
+                if (key.key == name || key.key.ends_with("." + name)) asked[k] = found = true;
+            }
+        if (found) continue;
         const std::string nearest = nearest_name(name, known);
         throw InputError(
             {"--dials", 0, 0}, "the scene has no dial '" + name + "'",
@@ -105,8 +106,6 @@ std::vector<bool> asked_dials(const std::vector<study::Dial>& dials, const std::
     }
     return asked;
 }
-
-}  // namespace
 
 LimitsRequest limits_request(const LimitsCommand& command) {
     if (command.slurm)

@@ -18,6 +18,7 @@
 #include "study/read_study.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"
+#include "tests/unit/thrown.hpp"
 
 namespace dmp::tests::rung_ends_tests {
 namespace {
@@ -212,6 +213,7 @@ TEST_F(EndsOfRungs, AtTheBoundOfTheCheckHaveNoBadValue) {
     add(7, 3, "the simulation diverged");
     const LimitsFacts found = facts();
     const LimitsFacts::Dial &bound = found.dials.at(0), &broken = found.dials.at(1);
+    EXPECT_THAT(broken.keys, ElementsAre("part.blood.viscosity"));
     EXPECT_EQ(bound.way, LimitWay::refused);
     EXPECT_FALSE(bound.bad);
     EXPECT_EQ(bound.bound, 3.9);
@@ -220,6 +222,19 @@ TEST_F(EndsOfRungs, AtTheBoundOfTheCheckHaveNoBadValue) {
     EXPECT_FALSE(broken.bound);
     EXPECT_NEAR(broken.bad.value(), 0.0035 * 1.3, 1e-12);
     EXPECT_NEAR(broken.margin().value(), 1.2, 1e-12) << "of the last clean value";
+}
+
+TEST(AskedDials, AreThoseOfWhichAnyKeyIsNamed) {
+    const auto key = [](const std::string& name) { return study::DialKey{name, 1, "", "", {}}; };
+    std::vector<Dial> dials(3);
+    dials[0].keys = {key("part.a.bending_stiffness"), key("part.a.axial_stiffness")};
+    dials[1].keys = {key("part.a.density")};
+    dials[2].keys = {key("part.b.axial_stiffness")};
+    EXPECT_THAT(asked_dials(dials, {}), ElementsAre(true, true, true));
+    EXPECT_THAT(asked_dials(dials, {"axial_stiffness"}), ElementsAre(true, false, true));
+    EXPECT_THAT(asked_dials(dials, {"part.a.axial_stiffness", "density"}), ElementsAre(true, true, false));
+    EXPECT_THAT(text_thrown<InputError>([&] { static_cast<void>(asked_dials(dials, {"stiffness"})); }),
+                testing::HasSubstr("'part.a.bending_stiffness', 'part.a.axial_stiffness', 'part.a.density'"));
 }
 
 }  // namespace

@@ -69,6 +69,7 @@ LimitsFacts valve() {
     limits.dials[1].stated_by = "a formula";
     limits.dials[1].cause = "the fluid is <faster> than its sound";
     limits.dials[1].likely_causes = "the step";
+    limits.dials[1].keys = {"a", "c"};
     limits.dials[1].set = {"a=\"4 m/s\""};
     limits.notes = {"The repeat <breaks>."};
     return limits;
@@ -96,6 +97,7 @@ TEST_F(FolderOfLimits, ReadsWhatItHasWritten) {
     EXPECT_EQ(limits_section(again), limits_section(limits));
     EXPECT_THAT(again.notes, ElementsAre("The repeat <breaks>."));
     EXPECT_THAT(again.set_in_all, ElementsAre("run.threads=1"));
+    EXPECT_THAT(again.dials[1].keys, ElementsAre("a", "c"));
     EXPECT_THAT(again.dials[1].set, ElementsAre("a=\"4 m/s\""));
     EXPECT_EQ(again.dials[1].cause, limits.dials[1].cause);
     EXPECT_EQ(again.tolerance, 0.05);
