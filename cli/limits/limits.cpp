@@ -121,11 +121,14 @@ int close(const LimitsCommand& command, const LimitsRequest& request, const Swee
     }
     if (left == 0) return exit_done;
     const std::string left_text = count_text(left, "run") + " at most" + time_text(budget, left);
-    if (!is_known)
+    if (!is_known && request.budget)
         throw InputError(
             {"--budget", 0, 0},
             duration_text(*request.budget) + " is too little to find a limit: it takes " + left_text,
             "Give more, a shorter run with --until, or fewer dials, and go on:\n  " + command.typed.with("--resume"));
+    if (!is_known)  // without a budget and a signal, all that is needed has been run
+        throw ResourceError("the runs with the scene's own settings did not come to their end",
+                            "Go on with the same command and --resume:\n  " + command.typed.with("--resume"));
     print(fmt::format("\nNot done: {}. {}\n  {}\n", left_text,
                       request.budget ? "With a larger --budget, go on:" : "Go on:", command.typed.with("--resume")));
     return exit_done;
