@@ -50,8 +50,8 @@ std::string limits_section(const LimitsFacts& limits) {
     return section(
         "limits", "Limits",
         "<figure class=\"trade-picture\">" + limits_picture(limits) +
-            "<figcaption>Each value was turned until the scene breaks, or its measures depart from those of its own "
-            "settings. limits.json has all numbers.</figcaption></figure>\n" +
+            "<figcaption>Each value was varied until the scene breaks, or its measures deviate too much from those of "
+            "its own settings. limits.json has all numbers.</figcaption></figure>\n" +
             dials_table(limits) + columns_table(limits));
 }
 
