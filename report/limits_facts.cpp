@@ -29,6 +29,7 @@ Json number(const std::optional<double>& value) {
 
 Json json_of(const LimitsFacts::Dial& dial) {
     Json json{{"dial", dial.name},
+              {"keys", dial.keys},
               {"what", dial.what},
               {"side", dial.is_up ? "up" : "down"},
               {"is_physical", dial.is_physical},
@@ -40,6 +41,7 @@ Json json_of(const LimitsFacts::Dial& dial) {
               {"last_clean_run", dial.clean_run},
               {"first_bad", number(dial.bad)},
               {"first_bad_run", dial.bad_run},
+              {"bound", number(dial.bound)},
               {"ends", to_string(dial.way)},
               {"cause", dial.cause},
               {"likely_causes", dial.likely_causes},
@@ -71,6 +73,7 @@ LimitWay way_of(const JsonValue& json) {
 LimitsFacts::Dial dial_of(const JsonValue& json) {
     LimitsFacts::Dial dial;
     dial.name = json["dial"].text();
+    dial.keys = json["keys"].texts();
     dial.what = json["what"].text();
     dial.is_up = json["side"].text() != "down";
     dial.is_physical = json["is_physical"].truth();
@@ -84,6 +87,7 @@ LimitsFacts::Dial dial_of(const JsonValue& json) {
     dial.clean_run = json["last_clean_run"].text();
     dial.bad = value_of(json["first_bad"]);
     dial.bad_run = json["first_bad_run"].text();
+    dial.bound = value_of(json["bound"]);
     dial.way = way_of(json["ends"]);
     dial.cause = json["cause"].text();
     dial.likely_causes = json["likely_causes"].text();
@@ -95,7 +99,10 @@ LimitsFacts::Dial dial_of(const JsonValue& json) {
 
 }  // namespace
 
-std::optional<double> LimitsFacts::Dial::margin() const { return ratio(bad, *this); }
+std::optional<double> LimitsFacts::Dial::margin() const {
+    const bool has_end = way != LimitWay::not_measured && way != LimitWay::no_measure;
+    return has_end ? ratio(clean, *this) : std::nullopt;
+}
 
 std::optional<double> LimitsFacts::Dial::stated_margin() const { return ratio(stated, *this); }
 
@@ -116,9 +123,9 @@ std::string limit_way_text(const LimitsFacts::Dial& dial) {
         case LimitWay::breaks:
             return "breaks";
         case LimitWay::refused:
-            return "refused";
-        case LimitWay::failed:
-            return "fails";
+            return dial.bound ? "refused beyond " + limit_value_text(dial.bound, dial.unit) : "refused";
+        case LimitWay::no_measure:
+            return "no measure counts";
     }
     unlisted_value(dial.way);
 }
@@ -126,10 +133,15 @@ std::string limit_way_text(const LimitsFacts::Dial& dial) {
 std::string margin_text(const std::optional<double>& margin) { return margin ? dmp::number_text(*margin, 3) : "-"; }
 
 void write_limits_facts(const std::filesystem::path& folder, const LimitsFacts& limits) {
-    Json json{{"scene", limits.scene},           {"name", limits.name},
-              {"version", limits.version},       {"set_in_all", limits.set_in_all},
-              {"simulated_s", limits.simulated}, {"duration_s", limits.duration},
-              {"tolerance", limits.tolerance},   {"own_run", limits.own_run}};
+    Json json{{"scene", limits.scene},
+              {"name", limits.name},
+              {"version", limits.version},
+              {"set_in_all", limits.set_in_all},
+              {"simulated_s", limits.simulated},
+              {"duration_s", limits.duration},
+              {"tolerance", limits.tolerance},
+              {"own_run", limits.own_run},
+              {"notes", limits.notes}};
     for (const char* list : {"measures", "dials"}) json[list] = Json::array();
     for (const LimitsFacts::Column& column : limits.columns)
         json["measures"].push_back({{"name", column.name},
@@ -153,6 +165,7 @@ LimitsFacts read_limits_facts(const std::filesystem::path& file) {
     limits.duration = json["duration_s"].number();
     limits.tolerance = json["tolerance"].number();
     limits.own_run = json["own_run"].text();
+    limits.notes = json["notes"].texts();
     for (const JsonValue& column : json["measures"].elements())
         limits.columns.push_back(
             {column["name"].text(), column["scatter"].number(), column["allowed"].number(), column["counts"].truth()});

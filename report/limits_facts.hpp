@@ -19,19 +19,20 @@ inline constexpr const char* limits_picture_name = "limits.svg";
 
 /// How the values of a dial end.
 enum class LimitWay {
-    not_measured,  ///< not yet: other runs come first, or there was no time
+    not_measured,  ///< not yet: there was no time, or a run failed, other than by what it was given
     none_found,    ///< all values are clean
     departs,       ///< a measure is further from that of the scene's own settings than is allowed
     breaks,        ///< the simulation diverges
     refused,       ///< by the check of the scene or of its particles
-    failed         ///< otherwise
+    no_measure     ///< it is by measures that it would be seen, and none counts
 };
 
 /// What was found of where a scene's models end, as limits.json has it.
 struct LimitsFacts {
     /// A value of a scene that was turned, up or down.
     struct Dial {
-        std::string name;  ///< its key: "part.blood.viscosity"
+        std::string name;               ///< its first key: "part.blood.viscosity"
+        std::vector<std::string> keys;  ///< all, which go by the same factor
         std::string what;
         bool is_up = true;
         bool is_physical = false;
@@ -41,14 +42,16 @@ struct LimitsFacts {
         std::string stated_by;             ///< a formula, or what the check says
         std::optional<double> clean, bad;  ///< last clean value, the scene's own at least, and first bad one
         std::string clean_run, bad_run;    ///< "": none was needed
+        std::optional<double> bound;       ///< refused beyond, by the check of the scene: no value is bad
         LimitWay way = LimitWay::not_measured;
-        std::string cause;             ///< what the first bad run said, or why there are no further values
+        std::string cause;  ///< what the first bad run said, or why there are no further values; or the failed one
         std::string likely_causes;     ///< that it named; "": none
         double distance = 0;           ///< of the measure that departs; NaN: none
         std::string column;            ///< that it is of
         std::vector<std::string> set;  ///< what --set takes for the last clean value
 
-        /// First bad value over the scene's own, or the inverse where it is below; none where there is none.
+        /// Last clean value over the scene's own, or the inverse where it is below: how far it may go at least; none
+        /// where the dial is not measured to its end.
         [[nodiscard]] std::optional<double> margin() const;
         /// Stated limit over the scene's own value, or the inverse, likewise.
         [[nodiscard]] std::optional<double> stated_margin() const;
@@ -68,6 +71,7 @@ struct LimitsFacts {
     double tolerance = 0;
     std::string own_run;
     std::vector<Column> columns;
+    std::vector<std::string> notes;  ///< what is to be known of the measures, such as that their scatter is not known
     std::vector<Dial> dials;
 };
 
@@ -89,6 +93,6 @@ namespace dmp {
 
 template <>
 inline constexpr auto enum_names<report::LimitWay> =
-    std::to_array<std::string_view>({"not_measured", "none_found", "departs", "breaks", "refused", "failed"});
+    std::to_array<std::string_view>({"not_measured", "none_found", "departs", "breaks", "refused", "no_measure"});
 
 }  // namespace dmp

@@ -67,13 +67,13 @@ std::string end_mark(LimitWay way, double x, double y, bool is_up) {
     };
     switch (way) {
         case LimitWay::not_measured:
+        case LimitWay::no_measure:
             return "";
         case LimitWay::none_found:
             return path(is_up ? "m1 -4l5 4l-5 4" : "m-1 -4l-5 4l5 4", "none", svg_soft);
         case LimitWay::departs:
             return path("m0 -5.5l5.5 5.5l-5.5 5.5l-5.5 -5.5z", "#ffffff", break_colour);
         case LimitWay::breaks:
-        case LimitWay::failed:
             return path("m-4.5 -4.5l9 9m0 -9l-9 9", "none", break_colour);
         case LimitWay::refused:
             return path("m0 -7v14", "none", svg_dark);
@@ -164,7 +164,8 @@ std::string legend() {
 
 std::string limits_picture(const LimitsFacts& limits) {
     const LimitsPlot plot(limits);
-    const auto unmeasured = std::ranges::count(limits.dials, LimitWay::not_measured, &Dial::way);
+    const auto unmeasured = std::ranges::count(limits.dials, LimitWay::not_measured, &Dial::way) +
+                            std::ranges::count(limits.dials, LimitWay::no_measure, &Dial::way);
     const double height = plot.bottom() + 50 + (unmeasured > 0 ? 6 + Layout::line_height : 0);
     const std::string name = shortened(limits.name, 56);
     const std::string what = fmt::format("where its models end, by runs of {:.4g} s", limits.simulated);

@@ -39,7 +39,9 @@ std::string columns_table(const LimitsFacts& limits) {
         rows.push_back({column.name, error_text(column.scatter),
                         column.counts ? error_text(column.allowed) : "not counted: zero, or scattered"});
     if (rows.empty()) return "";
-    return "<h3>Measures</h3>\n" + table("Measures", {"measure", "scatter", "departs above"}, rows, 3);
+    std::string notes;
+    for (const std::string& note : limits.notes) notes += "<p>" + escaped(note) + "</p>\n";
+    return "<h3>Measures</h3>\n" + notes + table("Measures", {"measure", "scatter", "departs above"}, rows, 3);
 }
 
 }  // namespace
@@ -48,8 +50,8 @@ std::string limits_section(const LimitsFacts& limits) {
     return section(
         "limits", "Limits",
         "<figure class=\"trade-picture\">" + limits_picture(limits) +
-            "<figcaption>Each value was turned until the scene breaks, or its measures depart from those of its own "
-            "settings. limits.json has all numbers.</figcaption></figure>\n" +
+            "<figcaption>Each value was varied until the scene breaks, or its measures deviate too much from those of "
+            "its own settings. limits.json has all numbers.</figcaption></figure>\n" +
             dials_table(limits) + columns_table(limits));
 }
 

@@ -38,10 +38,12 @@ std::string title_of(const StudyFiles& study) {
 std::pair<std::string, std::string> state_of(const LimitsFacts& limits, std::size_t runs) {
     const auto left =
         static_cast<std::size_t>(std::ranges::count(limits.dials, LimitWay::not_measured, &LimitsFacts::Dial::way));
-    const std::string all = count(limits.dials.size(), "limit");
+    const auto unseen =
+        static_cast<std::size_t>(std::ranges::count(limits.dials, LimitWay::no_measure, &LimitsFacts::Dial::way));
+    const std::string all = count(limits.dials.size() - unseen, "limit");
     if (left > 0)
-        return {"interrupted", fmt::format("Not complete: {} of {} measured, by {}", limits.dials.size() - left, all,
-                                           count(runs, "run"))};
+        return {"interrupted", fmt::format("Not complete: {} of {} measured, by {}",
+                                           limits.dials.size() - unseen - left, all, count(runs, "run"))};
     return {"complete", fmt::format("Complete: {} measured, by {}", all, count(runs, "run"))};
 }
 

@@ -14,9 +14,16 @@ RungBracket bracket_of(const std::vector<RungState>& rungs) {
     return bracket;
 }
 
+std::optional<std::size_t> failed_rung(const std::vector<RungState>& rungs) {
+    const RungBracket bracket = bracket_of(rungs);
+    for (std::size_t rung = bracket.clean + 1; rung < bracket.bad; ++rung)
+        if (rungs[rung - 1] == RungState::failed) return rung;
+    return {};
+}
+
 std::optional<std::size_t> next_rung(const std::vector<RungState>& rungs) {
     const RungBracket bracket = bracket_of(rungs);
-    if (bracket.is_settled()) return {};
+    if (bracket.is_settled() || failed_rung(rungs)) return {};
     return bracket.clean + (bracket.bad - bracket.clean) / 2;
 }
 

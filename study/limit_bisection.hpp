@@ -13,7 +13,8 @@ namespace dmp::study {
 enum class RungState {
     unknown,  ///< not run to its end
     clean,
-    bad  ///< it breaks, departs, or is refused
+    bad,    ///< it breaks, departs, or is refused
+    failed  ///< it ended otherwise, as one that was killed: what its value does is not known
 };
 
 /// Between which rungs a limit lies. Rungs count from 1; 0 is the value that the ladder begins at.
@@ -25,13 +26,16 @@ struct RungBracket {
 };
 
 /// What is beyond a bad rung is taken as bad, what is before a clean one as clean: the lowest bad rung, and the highest
-/// clean one below it.
+/// clean one below it. A failed rung says nothing.
 [[nodiscard]] RungBracket bracket_of(const std::vector<RungState>& rungs);
 
-/// The rung that halves what is left, from 1; none where the limit is known.
+/// The failed rung that keeps the limit from being found, from 1; none where there is none, or the limit is known.
+[[nodiscard]] std::optional<std::size_t> failed_rung(const std::vector<RungState>& rungs);
+
+/// The rung that halves what is left, from 1; none where the limit is known, or a failed rung lies in between.
 [[nodiscard]] std::optional<std::size_t> next_rung(const std::vector<RungState>& rungs);
 
-/// How many runs it takes at most until the limit is known.
+/// How many runs it takes at most until the limit is known; failed ones are run again.
 [[nodiscard]] std::size_t most_runs_left(const std::vector<RungState>& rungs);
 
 }  // namespace dmp::study

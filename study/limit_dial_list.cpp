@@ -46,7 +46,7 @@ Found one_if(bool has_it, DialKey key) {
 
 bool has_flow(const DialScene& of) { return !of.facts.at_rest && !of.scene.parts_of(PartKind::fluid).empty(); }
 bool has_spheres(const DialScene& of) { return !of.scene.parts_of(PartKind::spheres).empty(); }
-bool has_auto_sound(const DialScene& of) { return has_flow(of) && !of.scene.numerics.sound_speed.given(); }
+bool has_auto_sound(const DialScene& of) { return has_flow(of) && !(*of.scene.numerics.sound_speed > 0); }
 
 std::string key_of_part(const Part& part, const char* key) { return "part." + *part.name + "." + key; }
 
@@ -84,7 +84,7 @@ double sound_limit_of(KernelKind kind) {
 
 /// c0 dt / R above which the corrected scheme is unstable, measured (docs/scheme.md): of liquids and walls, and where
 /// elastic nodes, stepped implicitly or sub-cycled, are as heavy as the liquid that they displace.
-constexpr double of_liquid = 0.7, of_elastic = 0.6, of_subcycled_elastic = 0.4;
+constexpr double of_liquid = 0.7, of_elastic = 0.6, of_subcycled_elastic = 0.33;
 
 /// The step is step_factor R / (c0 + U).
 std::optional<StatedLimit> largest_step_factor(const DialScene& of) {

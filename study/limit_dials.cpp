@@ -101,29 +101,43 @@ class Ladders {
         }
         const double last = dial.rungs.empty() ? 1 : dial.rungs.back().factor;
         if (std::max(good / last, last / good) > nearly) add(dial, good);
-        if (!dial.stated) dial.stated = StatedLimit{rung_at(dial, good).value, dial.refused};
+        dial.bound = rung_at(dial, good).value;
+        if (!dial.stated) dial.stated = StatedLimit{*dial.bound, dial.refused};
         dial.end = "refused beyond: " + dial.refused;
+    }
+
+    static double power_of(const DialRow& row, const std::string& model) {
+        double power = 0;
+        for (const StepScaling& scaling : row.steps)
+            if (model.starts_with(scaling.model)) power = scaling.power;
+        return power;
     }
 
     /// The step [s] that the models allow at a factor, and which of them rules it.
     [[nodiscard]] std::pair<double, std::string> step_at(const DialRow& row, double factor) const {
         std::pair<double, std::string> step{of_.facts.dt, ""};
         for (const auto& [model, dt] : of_.facts.step_limits) {
-            double power = 0;
-            for (const StepScaling& scaling : row.steps)
-                if (model.starts_with(scaling.model)) power = scaling.power;
-            const double scaled = dt * std::pow(factor, power);
+            const double scaled = dt * std::pow(factor, power_of(row, model));
             if (step.second.empty() || scaled < step.first) step = {scaled, model};
         }
         return step;
     }
 
+    /// How many times as many steps a factor takes, of the run or, at most, of what is sub-cycled, and by which model.
+    [[nodiscard]] std::pair<double, std::string> cost_at(const DialRow& row, double factor) const {
+        const auto [step, ruling] = step_at(row, factor);
+        std::pair<double, std::string> cost{step_at(row, 1).first / step, ruling};
+        for (const std::string& model : of_.facts.subcycled)
+            if (const double its = std::pow(factor, -power_of(row, model)); its > cost.first) cost = {its, model};
+        return cost;
+    }
+
     void end_where_steps_tell(Dial& dial, const DialRow& row) const {
-        const double own = step_at(row, 1).first;
-        double before = own;
+        double before = step_at(row, 1).first;
         for (auto rung = dial.rungs.begin(); rung != dial.rungs.end(); ++rung) {
             const auto [step, ruling] = step_at(row, rung->factor);
-            rung->cost = own / step;
+            const auto [cost, costly] = cost_at(row, rung->factor);
+            rung->cost = cost;
             const bool is_same = row.acts_by_step && step < before * nearly;
             if (rung->cost <= largest_cost && !is_same) {
                 before = step;
@@ -131,8 +145,9 @@ class Ladders {
             }
             dial.end = is_same ? "beyond, the limit '" + ruling + "' rules the step"
                                : "beyond, steps are more than " + number_text(largest_cost) + " times shorter, by '" +
-                                     ruling + "'";
+                                     costly + "'";
             dial.refused.clear();
+            dial.bound.reset();
             dial.rungs.erase(rung, dial.rungs.end());
             return;
         }

@@ -20,7 +20,8 @@ struct LimitFacts {
     double sound_speed = 0, largest_speed = 0;  ///< [m/s]
     double contact_strength = 0;                ///< K of the short-range repulsion [J]; 0: there is none
     double dt = 0;                              ///< time step [s]
-    std::map<std::string, double> step_limits;  ///< largest step of each model [s]
+    std::map<std::string, double> step_limits;  ///< largest step of each model that the step follows from [s]
+    std::vector<std::string> subcycled;         ///< models with steps of their own in each step, which take time
 };
 
 /// Which way a value goes from the scene's own.
@@ -61,6 +62,7 @@ struct Dial {
     std::vector<DialRung> rungs;  ///< from the scene's own value away
     std::string end;              ///< why the ladder has no further rungs
     std::string refused;          ///< what the scene's check says of what is beyond the last rung; "": it allows it
+    std::optional<double> bound;  ///< the last value that the check allows, where it refuses what is beyond
 
     [[nodiscard]] double own() const { return keys.front().own; }
     [[nodiscard]] const std::string& unit() const { return keys.front().unit; }

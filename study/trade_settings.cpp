@@ -90,6 +90,9 @@ double rank_of(Quality quality) {
 
 TradeLevel level_of_quality(Quality quality) { return {to_string(quality), rank_of(quality)}; }
 
+/// "auto" may be written down, too.
+bool gives_sound_speed(const Scene& scene) { return *scene.numerics.sound_speed > 0; }
+
 std::string speed_text(double speed) { return number_text(speed, 6) + " m/s"; }
 
 TradeLevel level_of_sound(double speed) { return {"sound speed " + speed_text(speed), speed}; }
@@ -127,7 +130,7 @@ std::vector<LevelOfScene> levels_of_sound(const Scene& scene) {
 class Rows {
   public:
     explicit Rows(const TradeScene& scene) : own_(with(scene, {})) {
-        const bool gives_sound = own_.numerics.sound_speed.given();
+        const bool gives_sound = gives_sound_speed(own_);
         levels_ = gives_sound ? levels_of_sound(own_) : levels_of_quality(scene);
         const std::string own_text = level_of(own_, own_).text;
         const auto own = std::ranges::find(levels_, own_text, [](const auto& each) { return each.level.text; });
@@ -201,8 +204,7 @@ std::vector<std::string> TradeSettings::overrides(const TradeSetting& setting) c
 std::string spacing_text(double length) { return length_text(length, 4); }
 
 TradeLevel level_of(const Scene& as_run, const Scene& scene) {
-    return scene.numerics.sound_speed.given() ? level_of_sound(*as_run.numerics.sound_speed)
-                                              : level_of_quality(*as_run.quality);
+    return gives_sound_speed(scene) ? level_of_sound(*as_run.numerics.sound_speed) : level_of_quality(*as_run.quality);
 }
 
 TradeSettings trade_settings(const TradeScene& scene) { return Rows(scene).settings(); }
@@ -212,7 +214,7 @@ std::string trade_identity(const TradeScene& scene) {
     const Scene defaults;
     // What the settings set: whether it is given matters, not its value.
     if (read.particles.spacing.given()) read.particles.spacing = 1;
-    if (read.numerics.sound_speed.given()) read.numerics.sound_speed = 1;
+    if (gives_sound_speed(read)) read.numerics.sound_speed = 1;
     read.title = defaults.title;
     read.run.duration = 1;
     read.run.threads = defaults.run.threads;

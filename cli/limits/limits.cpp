@@ -50,7 +50,7 @@ class Search {
         if (ends_.of(LimitStudy::own).way != RungWay::clean) return false;
         const auto place = request_.study.place_of(run);
         if (!place) return true;
-        return ends_.has_reference() && request_.asked[place->dial] &&
+        return ends_.has_reference() && request_.asked[place->dial] && ends_.can_compare(place->dial) &&
                study::next_rung(ends_.states_of(place->dial)) == place->rung;
     }
 
@@ -60,8 +60,10 @@ class Search {
         if (own != RungWay::clean && own != RungWay::unknown) return 0;
         std::size_t left = own == RungWay::unknown ? 1 : 0;
         if (request_.study.repeat() && ends_.of(*request_.study.repeat()).way == RungWay::unknown) ++left;
+        const bool is_known = ends_.has_reference();
         for (std::size_t dial = 0; dial < request_.asked.size(); ++dial)
-            if (request_.asked[dial]) left += study::most_runs_left(ends_.states_of(dial));
+            if (request_.asked[dial] && (!is_known || ends_.can_compare(dial)))
+                left += study::most_runs_left(ends_.states_of(dial));
         return left;
     }
 
@@ -119,11 +121,14 @@ int close(const LimitsCommand& command, const LimitsRequest& request, const Swee
     }
     if (left == 0) return exit_done;
     const std::string left_text = count_text(left, "run") + " at most" + time_text(budget, left);
-    if (!is_known)
+    if (!is_known && request.budget)
         throw InputError(
             {"--budget", 0, 0},
             duration_text(*request.budget) + " is too little to find a limit: it takes " + left_text,
             "Give more, a shorter run with --until, or fewer dials, and go on:\n  " + command.typed.with("--resume"));
+    if (!is_known)  // without a budget and a signal, all that is needed has been run
+        throw ResourceError("the runs with the scene's own settings did not come to their end",
+                            "Go on with the same command and --resume:\n  " + command.typed.with("--resume"));
     print(fmt::format("\nNot done: {}. {}\n  {}\n", left_text,
                       request.budget ? "With a larger --budget, go on:" : "Go on:", command.typed.with("--resume")));
     return exit_done;

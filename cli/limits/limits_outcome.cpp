@@ -20,6 +20,7 @@ LimitWay way_of(RungWay way) {
     switch (way) {
         case RungWay::unknown:
         case RungWay::clean:
+        case RungWay::failed:
             return LimitWay::not_measured;
         case RungWay::departs:
             return LimitWay::departs;
@@ -27,8 +28,6 @@ LimitWay way_of(RungWay way) {
             return LimitWay::breaks;
         case RungWay::refused:
             return LimitWay::refused;
-        case RungWay::failed:
-            return LimitWay::failed;
     }
     unlisted_value(way);
 }
@@ -41,6 +40,7 @@ LimitsFacts::Dial found_of(const study::LimitStudy& study, std::size_t index, Ru
     const study::Dial& dial = study.dials()[index];
     LimitsFacts::Dial found;
     found.name = dial.name;
+    for (const study::DialKey& key : dial.keys) found.keys.push_back(key.key);
     found.what = dial.what;
     found.is_up = dial.side == study::DialSide::up;
     found.is_physical = dial.is_physical;
@@ -52,7 +52,12 @@ LimitsFacts::Dial found_of(const study::LimitStudy& study, std::size_t index, Ru
         found.stated_by = dial.stated->formula;
     }
     if (!ends.has_reference()) return found;
-    const study::RungBracket bracket = study::bracket_of(ends.states_of(index));
+    if (!ends.can_compare(index)) {
+        found.way = LimitWay::no_measure;
+        return found;
+    }
+    const std::vector<study::RungState> states = ends.states_of(index);
+    const study::RungBracket bracket = study::bracket_of(states);
     const auto name_of = [&](std::size_t rung) { return points.at(study.run_of(index, rung)).name; };
     found.clean = bracket.clean == 0 ? dial.own() : dial.rungs[bracket.clean - 1].value;
     found.clean_run = name_of(bracket.clean);
@@ -62,17 +67,20 @@ LimitsFacts::Dial found_of(const study::LimitStudy& study, std::size_t index, Ru
         const RungEnd& end = ends.of(study.run_of(index, bracket.bad));
         found.bad = dial.rungs[bracket.bad - 1].value;
         found.bad_run = name_of(bracket.bad);
-        found.cause = end.text;
-        found.likely_causes = end.likely_causes;
-        found.distance = end.distance;
-        found.column = end.column;
-        if (bracket.is_settled()) found.way = way_of(end.way);
+        if (bracket.is_settled()) {
+            found.cause = end.text;
+            found.likely_causes = end.likely_causes;
+            found.distance = end.distance;
+            found.column = end.column;
+            found.way = way_of(end.way);
+        }
     } else if (bracket.is_settled()) {
         found.cause = dial.refused.empty() ? dial.end : dial.refused;
         found.way = dial.refused.empty() ? LimitWay::none_found : LimitWay::refused;
-        // The last value is the bound that the check has.
-        if (!dial.refused.empty()) found.bad = dial.rungs.empty() ? dial.own() : dial.rungs.back().value;
+        found.bound = dial.bound;
     }
+    if (const auto failed = study::failed_rung(states))
+        found.cause = "run " + name_of(*failed) + " failed: " + ends.of(study.run_of(index, *failed)).text;
     return found;
 }
 
@@ -96,9 +104,11 @@ LimitsFacts limits_found(const LimitsRequest& request, const std::string& scene,
     if (ends.has_reference())
         for (const LimitColumn& column : ends.columns())
             limits.columns.push_back({column.name, column.scatter, column.allowed, column.counts()});
+    limits.notes = ends.notes();
     for (std::size_t k = 0; k < request.study.dials().size(); ++k) {
         LimitsFacts::Dial found = found_of(request.study, k, ends, points);
-        if (request.asked[k] || found.way != LimitWay::not_measured) limits.dials.push_back(std::move(found));
+        const bool has_end = found.way != LimitWay::not_measured && found.way != LimitWay::no_measure;
+        if (request.asked[k] || has_end) limits.dials.push_back(std::move(found));
     }
     return limits;
 }
@@ -120,6 +130,7 @@ std::string limits_text(const LimitsFacts& limits) {
         measures.push_back({column.name, part_text(column.scatter),
                             column.counts ? part_text(column.allowed) : "not counted: zero, or scattered"});
     if (!limits.columns.empty()) text += style.strong("Measures") + "\n" + table_text(measures);
+    for (const std::string& note : limits.notes) text += note + "\n";
     return text;
 }
 

@@ -15,6 +15,7 @@
 #include "cli/text.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/run/setup.hpp"
+#include "solver/run/sound_speed.hpp"
 #include "solver/simulation.hpp"
 #include "study/written_study.hpp"
 
@@ -34,11 +35,15 @@ study::LimitFacts facts_of(const Scene& scene, const Plan& plan, const Resources
     facts.largest_speed = plan.largest_speed;
     facts.dt = plan.dt;
     if (scene.parts_of(PartKind::spheres).empty())
-        facts.contact_strength = pair_settings(scene, resources).repulsion_strength;
+        // "auto" is by the speed of sound that the run has.
+        facts.contact_strength = pair_settings(with_sound_speed(scene, plan.sound), resources).repulsion_strength;
     for (const StepLimit& limit : plan.limits) {
         if (limit.formula.find("not binding") != std::string::npos) continue;
-        // The fluid's step does not follow from those that are sub-cycled, but they take as much longer.
-        facts.step_limits[limit.model] = limit.model.starts_with("elastic") ? plan.dt : limit.dt;
+        // The fluid's step does not follow from those that are sub-cycled.
+        if (limit.model.starts_with("elastic"))
+            facts.subcycled.push_back(limit.model);
+        else
+            facts.step_limits[limit.model] = limit.dt;
     }
     return facts;
 }
@@ -81,18 +86,19 @@ double rounded(double time) {
 
 std::string seconds(double time) { return "\"" + number_text(time, 9) + " s\""; }
 
+}  // namespace
+
 std::vector<bool> asked_dials(const std::vector<study::Dial>& dials, const std::vector<std::string>& names) {
     std::vector<bool> asked(dials.size(), names.empty());
     for (const std::string& name : names) {
         bool found = false;
-        for (std::size_t k = 0; k < dials.size(); ++k) {
-            if (dials[k].name != name && !dials[k].name.ends_with("." + name)) continue;
-            asked[k] = found = true;
-        }
-        if (found) continue;
         std::vector<std::string> known;
-        for (const study::Dial& dial : dials)
-            if (std::ranges::find(known, dial.name) == known.end()) known.push_back(dial.name);
+        for (std::size_t k = 0; k < dials.size(); ++k)
+            for (const study::DialKey& key : dials[k].keys) {
+                if (std::ranges::find(known, key.key) == known.end()) known.push_back(key.key);
+                if (key.key == name || key.key.ends_with("." + name)) asked[k] = found = true;
+            }
+        if (found) continue;
         const std::string nearest = nearest_name(name, known);
         throw InputError(
             {"--dials", 0, 0}, "the scene has no dial '" + name + "'",
@@ -100,8 +106,6 @@ std::vector<bool> asked_dials(const std::vector<study::Dial>& dials, const std::
     }
     return asked;
 }
-
-}  // namespace
 
 LimitsRequest limits_request(const LimitsCommand& command) {
     if (command.slurm)

@@ -31,6 +31,11 @@ struct LimitsRequest {
 /// named that the scene does not have, or the scene cannot be run.
 [[nodiscard]] LimitsRequest limits_request(const LimitsCommand& command);
 
+/// Of each dial, whether one of its keys is named, in full or by its last words; all without names. Throws InputError
+/// where no dial has a name.
+[[nodiscard]] std::vector<bool> asked_dials(const std::vector<study::Dial>& dials,
+                                            const std::vector<std::string>& names);
+
 /// For a dry run: the dials, with their values and how many runs they take at most.
 [[nodiscard]] std::string dials_text(const LimitsRequest& request);
 

@@ -26,6 +26,22 @@ RungWay way_of_failure(int exit_code) {
     return exit_code == exit_bad_input ? RungWay::refused : RungWay::failed;
 }
 
+/// Of one that is not clean.
+std::string verb_of(RungWay way) {
+    switch (way) {
+        case RungWay::breaks:
+            return "breaks";
+        case RungWay::refused:
+            return "is refused";
+        case RungWay::unknown:
+        case RungWay::clean:
+        case RungWay::departs:
+        case RungWay::failed:
+            return "failed";
+    }
+    unlisted_value(way);
+}
+
 /// As the stability monitor ranks them, in what a run said.
 std::string likely_causes_in(const std::filesystem::path& output) {
     if (!std::filesystem::is_regular_file(output)) return "";
@@ -55,8 +71,9 @@ study::RungState RungEnd::state() const {
         case RungWay::departs:
         case RungWay::breaks:
         case RungWay::refused:
-        case RungWay::failed:
             return study::RungState::bad;
+        case RungWay::failed:
+            return study::RungState::failed;
     }
     unlisted_value(way);
 }
@@ -81,6 +98,25 @@ std::vector<study::RungState> RungEnds::states_of(std::size_t dial) {
     for (std::size_t rung = 1; rung <= study_.dials()[dial].rungs.size(); ++rung)
         states.push_back(has_reference() ? of(study_.run_of(dial, rung)).state() : study::RungState::unknown);
     return states;
+}
+
+bool RungEnds::can_compare(std::size_t dial) const {
+    return study_.dials()[dial].is_physical || std::ranges::any_of(columns_, &LimitColumn::counts);
+}
+
+std::vector<std::string> RungEnds::notes() {
+    std::vector<std::string> all;
+    if (!has_reference()) return all;
+    if (study_.repeat() && of(*study_.repeat()).way != RungWay::clean) {
+        const RungEnd& end = of(*study_.repeat());
+        all.push_back("The repeat, run " + rows_.points().at(*study_.repeat()).name + ", " + verb_of(end.way) + ": " +
+                      end.text + ". The scatter of measures is not known.");
+    }
+    if (std::ranges::none_of(columns_, &LimitColumn::counts))
+        all.emplace_back(
+            "No measure counts: all are zero, or scatter by more than a fifth of their size. Dials that are seen by "
+            "measures are not varied; give the scene a [[measure]] that is not zero.");
+    return all;
 }
 
 RungEnd RungEnds::end_of(std::size_t run) {

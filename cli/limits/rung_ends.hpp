@@ -25,7 +25,7 @@ enum class RungWay {
     departs,  ///< a measure is further from that of the scene's own settings than is allowed
     breaks,   ///< the simulation diverged
     refused,  ///< bad input, by the check of the scene or of its particles
-    failed    ///< otherwise
+    failed    ///< otherwise: killed, without memory or disk, or by a bug
 };
 
 struct RungEnd {
@@ -62,6 +62,11 @@ class RungEnds {
     /// Whether runs can be compared: that with the scene's own settings is clean, and its repeat has ended.
     [[nodiscard]] bool has_reference();
     [[nodiscard]] std::vector<study::RungState> states_of(std::size_t dial);
+    /// Whether a dial's runs can be told from each other: by what breaks alone, or by a measure that counts. Only after
+    /// has_reference.
+    [[nodiscard]] bool can_compare(std::size_t dial) const;
+    /// What is to be said of the measures: why their scatter is not known, that none counts.
+    [[nodiscard]] std::vector<std::string> notes();
     /// Those of the run with the scene's own settings; none before has_reference.
     [[nodiscard]] const std::vector<LimitColumn>& columns() const { return columns_; }
 

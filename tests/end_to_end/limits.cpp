@@ -4,10 +4,14 @@
 #include <csignal>
 #include <filesystem>
 #include <map>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "base/csv.hpp"
 #include "tests/end_to_end/program.hpp"
 
 namespace dmp::tests::limits_tests {
@@ -41,6 +45,17 @@ class Limits : public testing::Test {
             if (each["dial"] == name && each["side"] == side) return each;
         return {};
     }
+    /// Of a run, as results.csv has it; "": it has no row.
+    [[nodiscard]] std::string exit_code_of(const std::string& run) const {
+        std::istringstream table(folder_.read("out/results.csv"));
+        std::string line;
+        if (!std::getline(table, line)) return "";
+        const std::vector<std::string> names = csv_cells(line);
+        const auto column = std::ranges::find(names, "exit_code") - names.begin();
+        while (std::getline(table, line))
+            if (const auto row = csv_cells(line); row.front() == run) return row.at(static_cast<std::size_t>(column));
+        return "";
+    }
     [[nodiscard]] std::size_t runs() const {
         std::size_t count = 0;
         for (const auto& entry : fs::directory_iterator(folder_.path() / "out/runs")) count += entry.is_directory();
@@ -64,11 +79,18 @@ TEST_F(Limits, SayWhereEachDialEnds) {
         EXPECT_NE(each["ends"], "not_measured") << each;
         EXPECT_GE(each["margin"], 1) << each;
     }
+    const auto step = dial(found, "numerics.step_factor", "up");
+    EXPECT_EQ(step["ends"], "breaks") << step;
+    EXPECT_THAT(std::string(step["cause"]), HasSubstr("the simulation diverged"));
+    EXPECT_GT(step["first_bad"], step["last_clean"]);
+    EXPECT_EQ(exit_code_of(step["first_bad_run"]), "3");
+    EXPECT_EQ(exit_code_of(step["last_clean_run"]), "0");
     const auto spacing = dial(found, "particles.spacing", "up");
     EXPECT_LT(spacing["first_bad"], 1) << "the whole box";
     EXPECT_GT(spacing["first_bad"], spacing["last_clean"]);
     const auto support = dial(found, "numerics.support", "up");
     EXPECT_LE(support["last_clean"], 6);
+    if (support["ends"] == "refused") EXPECT_TRUE(support["first_bad"].is_null()) << support;
     EXPECT_THAT(std::string(support["stated_by"]), HasSubstr("numerics.support"));
     EXPECT_LE(runs(), 2U + 3 * 5 + 1) << "few of all values";
 

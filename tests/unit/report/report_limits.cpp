@@ -69,7 +69,9 @@ LimitsFacts valve() {
     limits.dials[1].stated_by = "a formula";
     limits.dials[1].cause = "the fluid is <faster> than its sound";
     limits.dials[1].likely_causes = "the step";
+    limits.dials[1].keys = {"a", "c"};
     limits.dials[1].set = {"a=\"4 m/s\""};
+    limits.notes = {"The repeat <breaks>."};
     return limits;
 }
 
@@ -93,17 +95,34 @@ TEST_F(FolderOfLimits, ReadsWhatItHasWritten) {
     const LimitsFacts limits = valve(), again = read_back(limits);
     EXPECT_EQ(limits_picture(again), limits_picture(limits));
     EXPECT_EQ(limits_section(again), limits_section(limits));
+    EXPECT_THAT(again.notes, ElementsAre("The repeat <breaks>."));
     EXPECT_THAT(again.set_in_all, ElementsAre("run.threads=1"));
+    EXPECT_THAT(again.dials[1].keys, ElementsAre("a", "c"));
     EXPECT_THAT(again.dials[1].set, ElementsAre("a=\"4 m/s\""));
     EXPECT_EQ(again.dials[1].cause, limits.dials[1].cause);
     EXPECT_EQ(again.tolerance, 0.05);
-    EXPECT_EQ(json()["dials"][1]["margin"], 2.5);
+    EXPECT_EQ(json()["dials"][1]["margin"], 2.0) << "on the safe side: last clean over own";
     EXPECT_EQ(json()["dials"][1]["stated_margin"], 2.25);
-    EXPECT_EQ(json()["dials"][0]["margin"], 4.0) << "downwards: own over bad";
+    EXPECT_EQ(json()["dials"][0]["margin"], 2.0) << "downwards: own over clean";
+    EXPECT_EQ(json()["dials"][2]["margin"], 2.0) << "at least";
     EXPECT_TRUE(json()["dials"][2]["first_bad"].is_null());
     EXPECT_TRUE(json()["measures"][1]["scatter"].is_null());
     EXPECT_EQ(json()["dials"][0]["distance"], 0.12);
     EXPECT_FALSE(json()["dials"][1].contains("distance"));
+}
+
+TEST_F(FolderOfLimits, HasNoMarginBeforeTheEndOfADialAndNoBadValueAtABound) {
+    LimitsFacts limits = valve();
+    limits.dials[1].way = LimitWay::not_measured;
+    limits.dials[3].bad.reset();
+    limits.dials[3].clean = limits.dials[3].bound = 5;
+    const LimitsFacts again = read_back(limits);
+    EXPECT_EQ(json()["dials"][1]["first_bad"], 5) << "as far as it is known";
+    EXPECT_TRUE(json()["dials"][1]["margin"].is_null());
+    EXPECT_TRUE(json()["dials"][3]["first_bad"].is_null());
+    EXPECT_EQ(json()["dials"][3]["bound"], 5);
+    EXPECT_EQ(json()["dials"][3]["margin"], 2.5);
+    EXPECT_THAT(limits_section(again), HasSubstr("<td>5 m/s</td><td>-</td><td>2.5</td><td>refused beyond 5 m/s</td>"));
 }
 
 TEST_F(FolderOfLimits, SaysWhatIsWrongWithADamagedFile) {
@@ -162,7 +181,8 @@ TEST(SectionOfLimits, HasTheTableOfTheDialsAndOfTheMeasures) {
     EXPECT_THAT(html, AllOf(HasSubstr("<section id=\"limits\""), HasSubstr("<svg ")));
     EXPECT_THAT(html,
                 HasSubstr("<th scope=\"row\">a</th><td>up</td><td>2 m/s</td><td>4.5 m/s</td><td>4 m/s</td>"
-                          "<td>5 m/s</td><td>2.5</td><td>breaks</td><td>what it is; stated: a formula; the step</td>"));
+                          "<td>5 m/s</td><td>2</td><td>breaks</td><td>what it is; stated: a formula; the step</td>"));
+    EXPECT_THAT(html, HasSubstr("<h3>Measures</h3>\n<p>The repeat &lt;breaks&gt;.</p>"));
     EXPECT_THAT(html, HasSubstr("<td>departs: 12 % in flux</td>"));
     EXPECT_THAT(html, HasSubstr("<th scope=\"row\">flux</th><td>1 %</td><td>5 %</td>"));
     EXPECT_THAT(html, HasSubstr("<th scope=\"row\">gap</th><td>not known</td><td>not counted"));
@@ -182,6 +202,8 @@ TEST_F(FolderOfLimits, SayOnThePageHowManyAreMeasured) {
                                          HasSubstr("<h2 id=\"limits-heading\">Limits</h2>")));
     limits.dials[2].way = LimitWay::not_measured;
     EXPECT_THAT(page_with(limits), HasSubstr("Not complete: 3 of 4 limits measured, by 0 runs"));
+    limits.dials[2].way = LimitWay::no_measure;
+    EXPECT_THAT(page_with(limits), HasSubstr("Complete: 3 limits measured, by 0 runs"));
 }
 
 TEST(LogAxis, HasPlainNumbers) {

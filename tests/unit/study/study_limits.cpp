@@ -33,7 +33,8 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
 
-constexpr RungState unknown = RungState::unknown, clean = RungState::clean, bad = RungState::bad;
+constexpr RungState unknown = RungState::unknown, clean = RungState::clean, bad = RungState::bad,
+                    failed = RungState::failed;
 
 TEST(Bracket, IsBetweenTheHighestCleanRungAndTheLowestBadOne) {
     const auto none = bracket_of({});
@@ -75,6 +76,16 @@ TEST(Bisection, FindsEachLimitWithinTheRunsThatItAnnounces) {
     EXPECT_EQ(most_runs_left({}), 0U);
     EXPECT_EQ(most_runs_left({clean, bad, unknown}), 0U);
     EXPECT_EQ(most_runs_left({unknown, unknown, bad}), 2U);
+}
+
+TEST(Bisection, DoesNotGoOnWhereARungInBetweenFailed) {
+    const std::vector<RungState> between{clean, unknown, failed, unknown, bad};
+    EXPECT_EQ(failed_rung(between), 3U);
+    EXPECT_FALSE(next_rung(between));
+    EXPECT_EQ(bracket_of(between).bad, 5U) << "it is not bad";
+    EXPECT_EQ(most_runs_left(between), 2U) << "it is run again";
+    EXPECT_FALSE(failed_rung({failed, clean, unknown, bad, failed})) << "they do not matter";
+    EXPECT_EQ(next_rung({failed, clean, unknown, bad, failed}), 3U);
 }
 
 /// Of good_scene: a step that sound rules, a little below that of the viscosity.
@@ -119,6 +130,8 @@ TEST(Dials, AreThoseOfTheModelsThatTheSceneUses) {
         names_of(dials_of(good_scene, facts(), {"numerics.sound_speed=\"3 m/s\"", "numerics.shifting=0"}));
     EXPECT_THAT(given, AllOf(Contains("numerics.sound_speed"), Not(Contains("numerics.mach_number")),
                              Not(Contains("numerics.shifting"))));
+    const auto written = names_of(dials_of(good_scene, facts(), {"numerics.sound_speed=\"auto\""}));
+    EXPECT_THAT(written, AllOf(Contains("numerics.mach_number"), Not(Contains("numerics.sound_speed"))));
     const std::string tracer = "\n[[species]]\nname = \"tracer\"\ndiffusivity = \"1e-9 m^2/s\"\n";
     LimitFacts at_rest = facts();
     at_rest.at_rest = true;
@@ -182,7 +195,7 @@ TEST(Ladders, EndWhereAnotherLimitRulesTheStep) {
     ASSERT_TRUE(step.stated);
     EXPECT_NEAR(step.stated->value, 0.6 * 2.2 / 2, 1e-12) << "c0 dt / R = 0.6 with elastic solids";
     const auto subcycled = dials_of(good_scene, near, {"numerics.spring_stepping=subcycled"});
-    EXPECT_NEAR(dial(subcycled, "numerics.step_factor", DialSide::up).stated->value, 0.4 * 2.2 / 2, 1e-12);
+    EXPECT_NEAR(dial(subcycled, "numerics.step_factor", DialSide::up).stated->value, 0.33 * 2.2 / 2, 1e-12);
     const auto plain = dials_of(good_scene, near, {"numerics.scheme=plain", "numerics.kernel=wendland_c2"});
     EXPECT_NEAR(dial(plain, "numerics.step_factor", DialSide::up).stated->value, 0.878 * 2.2 / 2, 1e-12)
         << "by linear theory";
@@ -202,6 +215,25 @@ TEST(Ladders, EndWhereStepsBecomeTwentyTimesShorter) {
     EXPECT_DOUBLE_EQ(viscosity.rungs.front().cost, 1);
     EXPECT_THAT(viscosity.end, HasSubstr("more than 20 times shorter, by 'viscosity'"));
     EXPECT_EQ(dial(dials, "part.blood.viscosity", DialSide::down).rungs.size(), 18U);
+}
+
+TEST(Ladders, DoNotEndByElasticSolidsThatAreSubcycledButTakeAsMuchLonger) {
+    LimitFacts elastic = facts();
+    elastic.subcycled = {"elastic (leaflets)"};
+    const std::vector<std::string> subcycled{"numerics.spring_stepping=subcycled"};
+    const auto dials = dials_of(good_scene, elastic, subcycled);
+    const Dial& step = dial(dials, "numerics.step_factor", DialSide::up);
+    const auto dials_without = dials_of(good_scene, facts(), subcycled);
+    const Dial& without = dial(dials_without, "numerics.step_factor", DialSide::up);
+    EXPECT_GT(step.rungs.size(), 1U);
+    EXPECT_EQ(step.rungs.size(), without.rungs.size());
+    EXPECT_EQ(step.end, without.end);
+    EXPECT_DOUBLE_EQ(step.rungs[0].cost, 1) << "at most: the solids take as many steps in the same time";
+    const Dial& stiff = dial(dials, "part.leaflets.bending_stiffness", DialSide::up);
+    EXPECT_NEAR(stiff.rungs[7].factor, 4, 1e-5);
+    EXPECT_NEAR(stiff.rungs[7].cost, 2, 1e-5);
+    EXPECT_NEAR(stiff.rungs.back().factor, 256, 1e-3);
+    EXPECT_EQ(stiff.end, "beyond, steps are more than 20 times shorter, by 'elastic (leaflets)'");
 }
 
 TEST(Ladders, OfDiffusivitiesByPartKeepTheirRatios) {

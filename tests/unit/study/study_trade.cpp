@@ -160,6 +160,12 @@ TEST(TradeSettings, OfASceneThatGivesItsSpeedOfSoundHaveLowerOnes) {
     }
 }
 
+TEST(TradeSettings, OfASceneThatWritesDownAnAutomaticSpeedOfSoundAreByQuality) {
+    const TradeSettings all = settings_of(good_scene, {"numerics.sound_speed=\"auto\""});
+    EXPECT_THAT(all.keys, ElementsAre("particles.spacing", "quality", "numerics.step_factor"));
+    EXPECT_EQ(levels_of(all), levels_of(settings_of(good_scene)));
+}
+
 TEST(TradeIdentity, IsOfWhatTheSettingsDoNotSet) {
     const Folder folder;
     Folder::write(good_scene);
@@ -170,6 +176,7 @@ TEST(TradeIdentity, IsOfWhatTheSettingsDoNotSet) {
     const std::string own = with({}), of_sound = with({"numerics.sound_speed=\"8 m/s\""});
     EXPECT_EQ(with({"particles.spacing=\"0.3 mm\"", "quality=fine", "run.duration=\"1 s\""}), own);
     EXPECT_EQ(with({"numerics.sound_speed=\"4 m/s\""}), of_sound);
+    EXPECT_EQ(with({"numerics.sound_speed=\"auto\""}), own);
     EXPECT_NE(of_sound, own) << "their levels are others";
     EXPECT_NE(with({"numerics.step_factor=0.3"}), own);
     EXPECT_NE(with({"part.wall.layers=5"}), own);
