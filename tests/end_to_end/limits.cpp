@@ -90,7 +90,9 @@ TEST_F(Limits, SayWhereEachDialEnds) {
     EXPECT_GT(spacing["first_bad"], spacing["last_clean"]);
     const auto support = dial(found, "numerics.support", "up");
     EXPECT_LE(support["last_clean"], 6);
-    if (support["ends"] == "refused") EXPECT_TRUE(support["first_bad"].is_null()) << support;
+    if (support["ends"] == "refused") {
+        EXPECT_TRUE(support["first_bad"].is_null()) << support;
+    }
     EXPECT_THAT(std::string(support["stated_by"]), HasSubstr("numerics.support"));
     EXPECT_LE(runs(), 2U + 3 * 5 + 1) << "few of all values";
 
