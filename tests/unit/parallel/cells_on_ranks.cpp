@@ -224,6 +224,7 @@ TEST_P(CellsOnRanks, go_on_after_a_restart_on_another_number_of_ranks) {
     const RunSummary resumed = run_on(made_, Ranks::alone(), stopped_halfway(made_, ranks_, folder));
     EXPECT_EQ(resumed.steps, whole.steps);
     EXPECT_EQ(resumed.state_hash, whole.state_hash);
+    (void)ranks_.largest(0);  // the first rank's folder is there until all have read
 }
 
 INSTANTIATE_TEST_SUITE_P(Steppers, CellsOnRanks,
