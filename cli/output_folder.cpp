@@ -110,7 +110,10 @@ FolderContents contents_of(const fs::path& folder) {
     }
     if (is_there(resolved_scene_name) || std::ranges::any_of(marks, is_begun)) return found;
     try {
-        if (!std::ranges::all_of(fs::directory_iterator(folder), is_negligible)) found.kind = foreign;
+        if (std::ranges::all_of(fs::directory_iterator(folder), is_negligible)) return found;
+        // Another dmp may have begun to write here after the first look.
+        if (std::ranges::any_of(marks, is_there) || std::ranges::any_of(marks, is_begun)) return contents_of(folder);
+        found.kind = foreign;
     } catch (const fs::filesystem_error& error) {
         // Another dmp that was refused may just remove the folder.
         if (error.code() != std::errc::no_such_file_or_directory) throw;
