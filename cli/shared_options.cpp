@@ -154,18 +154,18 @@ void add_limits_options(CLI::App& app, LimitsCommand& limits) {
     app.add_option("--out", limits.out, "Folder for the runs; default: out/NAME OF THE SCENE_limits")->type_name("DIR");
     app.add_option("--until", limits.until, "Run to this time, e.g. \"0.2 s\"; default: what takes some seconds")
         ->type_name("TIME");
-    app.add_option("--dials", limits.dials, "Keys to turn, e.g. numerics.step_factor; default: all that dmp knows of")
+    app.add_option("--dials", limits.dials, "Keys to vary, e.g. numerics.step_factor; default: all that dmp knows of")
         ->type_name("KEY");
     app.add_option("--budget", limits.budget, "Wall time that the runs may take in all, e.g. \"10 min\"")
         ->type_name("TIME");
-    app.add_option("--tolerance", limits.tolerance, "Error from which on a measure departs; default: \"5 %\"")
+    app.add_option("--tolerance", limits.tolerance, "By how much a measure may deviate; default: \"5 %\"")
         ->type_name("ERROR");
     app.add_option("--jobs", limits.jobs, "Runs at a time; default: as many as there are processors for")
         ->type_name("N")
         ->check(CLI::Validator(at_least_one, ""));
     auto* resume = app.add_flag("--resume", limits.resume, "Go on with the limits in the folder");
     app.add_flag("--overwrite", limits.overwrite, "Remove the limits that are in the folder")->excludes(resume);
-    app.add_flag("--dry-run", limits.dry_run, "Only say which values are turned, and what their runs would take");
+    app.add_flag("--dry-run", limits.dry_run, "Only say which values are varied, and what their runs would take");
     app.add_flag("--slurm", limits.slurm, "Refused: each run depends on those before");
 }
 

@@ -120,9 +120,10 @@ void report_cells(const Part& part, const SolidCells& cells, double drawn, doubl
         std::ostringstream warning;
         warning.precision(3);
         warning << part.name.value << ": its cells have " << cells.volume() / drawn
-                << " of the drawn volume: some of it is beyond the sides of the scene, or too thin, or its surfaces "
-                   "are seen "
-                   "by seven lines a box only; a finer particles.spacing is nearer";
+                << " of the drawn volume: some of it is beyond the sides of the scene or too thin"
+                << (cells.cells.front().size[2] > 0 ? ", or its surfaces are seen too coarsely by seven lines a box"
+                                                    : "")
+                << "; a finer particles.spacing is nearer";
         report.warnings.push_back(warning.str());
     }
     if (cells.lost == 0) return;
