@@ -111,7 +111,7 @@ std::string summary_text(const Scene& scene, const RunSummary& summary) {
                              "{:.4g} in contacts",
                              start.total(), end.total(), end.translation, end.rotation, end.contacts));
     }
-    if (scene.parts_of(PartKind::spheres).empty()) list.add("density", density_text(scene, summary));
+    if (!scene.parts_of(PartKind::fluid).empty()) list.add("density", density_text(scene, summary));
     for (const LargestStrain& strain : summary.strains)
         list.add("strain", fmt::format("{} to {} in '{}'", percent_text(strain.compressed),
                                        percent_text(strain.stretched), strain.name));

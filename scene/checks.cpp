@@ -283,7 +283,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
     if (*measure.kind == MeasureKind::mode) check_waves(scene, measure);
     check_sphere_measure(scene, measure);
     if (*measure.kind == MeasureKind::aggregate) need_solid(scene, measure.part, "measure", *measure.name);
-    if (*measure.kind != MeasureKind::gap) return;
+    if (*measure.kind != MeasureKind::gap && *measure.kind != MeasureKind::displacement) return;
     std::vector<std::string> springs;
     for (const auto& part : scene.parts) {
         if (*part.kind == PartKind::elastic) springs.push_back(part.name);
@@ -294,10 +294,10 @@ void check_measure(const Scene& scene, const Measure& measure) {
     const std::string what = other == nullptr ? "the scene has no part '" + *measure.part + "'"
                                               : "part '" + *measure.part + "' is of kind '" + to_string(*other->kind) +
                                                     "', expected 'elastic'";
-    throw InputError(measure.part.location, what,
-                     nearest.empty() ? "a gap is measured between the pieces of an elastic solid; the scene has " +
-                                           quoted_list(springs)
-                                     : "did you mean '" + nearest + "'?");
+    throw InputError(
+        measure.part.location, what,
+        nearest.empty() ? "gaps and displacements are measured of elastic solids; the scene has " + quoted_list(springs)
+                        : "did you mean '" + nearest + "'?");
 }
 
 /// A selection of faces, in 2-D of curves, needs at least one criterion.

@@ -65,7 +65,8 @@ enum class MeasureKind {
     wall_force,
     detached,
     aggregate,
-    uptake
+    uptake,
+    displacement
 };
 enum class FluidField {
     velocity,
@@ -135,7 +136,7 @@ template <>
 inline constexpr auto enum_names<scene::MeasureKind> = std::to_array<std::string_view>(
     {"flux",     "gap",    "largest_speed",      "density",  "kinetic_energy", "probe",     "line",
      "mode",     "amount", "mean_concentration", "profile",  "spread",         "wall_flux", "peclet",
-     "velocity", "spin",   "wall_force",         "detached", "aggregate",      "uptake"});
+     "velocity", "spin",   "wall_force",         "detached", "aggregate",      "uptake",    "displacement"});
 template <>
 inline constexpr auto enum_names<scene::SolidifyRule> = std::to_array<std::string_view>({"per_pair", "per_candidate",
                                                                                          "mutually_closest"});

@@ -144,6 +144,10 @@ std::vector<MeasureColumn> measure_columns(const Scene& scene, const Measure& me
             return rate_and_total(scene, measure);
         case MeasureKind::peclet:
             return {{name, "1"}};
+        case MeasureKind::displacement:
+            for (const std::size_t c : probed_components(3, *scene.dimension))
+                columns.push_back({name + "_" + std::string(vector_components.at(c)), "m"});
+            return columns;
         case MeasureKind::velocity:
             return three(name, "m/s");
         case MeasureKind::spin:

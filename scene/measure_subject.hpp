@@ -28,6 +28,7 @@ constexpr MeasureSubject subject_of(MeasureKind kind) {
         case MeasureKind::line:
         case MeasureKind::mode:
         case MeasureKind::aggregate:
+        case MeasureKind::displacement:
             return MeasureSubject::flow;
         case MeasureKind::amount:
         case MeasureKind::mean_concentration:

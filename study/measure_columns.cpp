@@ -20,6 +20,8 @@ MeasureColumns columns_of(MeasureKind kind) {
             return {one, "J"};
         case MeasureKind::density:
             return {several, "1"};
+        case MeasureKind::displacement:
+            return {several, "m"};
         case MeasureKind::velocity:
             return {several, "m/s"};
         case MeasureKind::spin:

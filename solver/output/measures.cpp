@@ -18,7 +18,7 @@ namespace dmp::solver {
 namespace {
 
 bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
-    if (measure.kind.value != MeasureKind::gap) return true;
+    if (*measure.kind != MeasureKind::gap && *measure.kind != MeasureKind::displacement) return true;
     const auto parts = scene.parts_of(PartKind::elastic);
     return std::any_of(parts.begin(), parts.end(),
                        [&](const Part* part) { return part->name.value == measure.part.value; });
@@ -45,6 +45,11 @@ struct Measures::Rows {
         {MeasureKind::gap,
          [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
              return Values{self.gaps_.at(&measure).smallest(moment.step.springs())};
+         }},
+        {MeasureKind::displacement,
+         [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
+             const Vec mean = self.displacements_.at(&measure).mean(moment.step.springs());
+             return Values(mean.data(), mean.data() + self.space_.dimension);
          }},
         {MeasureKind::largest_speed,
          [](const Measures&, const Measure&, const FluidMoment& moment) {
@@ -92,6 +97,7 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
         measures_.push_back(&measure);
         if (*measure.kind == MeasureKind::mode) need_long_waves(measure, space_);
         if (*measure.kind == MeasureKind::gap) gaps_.try_emplace(&measure, measure, set);
+        if (*measure.kind == MeasureKind::displacement) displacements_.try_emplace(&measure, measure, set);
         for (const auto& [name, unit] : measure_columns(scene, measure)) {
             series_.names.push_back(name);
             series_.units.push_back(unit);

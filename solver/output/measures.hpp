@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
+#include "solver/output/displacement_measure.hpp"
 #include "solver/output/gap_measure.hpp"
 #include "solver/output/measure_series.hpp"
 #include "solver/output/species_measures.hpp"
@@ -18,6 +19,7 @@ namespace dmp::solver {
 ///   flux           volume per second through the line from -> to, positive to the right of who walks along it [m^3/s];
 ///                  particles count with a hat of one support radius across the line, so the sum does not jump
 ///   gap            smallest distance between centres of particles of different pieces of an elastic solid [m]
+///   displacement   of an elastic solid (DisplacementMeasure), a column for each component [m]
 ///   largest_speed  of the fluid [m/s]
 ///   density        lowest and highest density of the fluid over its rest density, two columns [-]
 ///   kinetic_energy of the fluid, SUM m |v|^2 / 2 [J]
@@ -59,6 +61,7 @@ class Measures {
     const Ranks& ranks_;
     std::vector<const Measure*> measures_;
     std::map<const Measure*, GapMeasure> gaps_;
+    std::map<const Measure*, DisplacementMeasure> displacements_;
     MeasureSeries series_;
 };
 

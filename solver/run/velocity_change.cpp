@@ -12,6 +12,7 @@ namespace dmp::solver {
 namespace {
 
 constexpr double coarse = 0.4;
+constexpr double many_times = 10;
 
 /// 2 D : D of a particle's velocity gradient.
 double rate_square(const ParticleGroup& fluid, std::size_t i) {
@@ -61,7 +62,8 @@ std::optional<Warning> VelocityChange::warning(const Scene& scene) const {
     if (!change || *change <= coarse) return std::nullopt;
     return Warning{"particles.spacing", scene.particles.spacing.location,
                    "is coarse for this flow: from one particle to the next the velocity changed by " +
-                       number_text(100 * *change, 3) + " % of itself (root mean square over fluid and time)",
+                       (*change < many_times ? number_text(100 * *change, 3) + " % of itself" : "many times itself") +
+                       " (root mean square over fluid and time)",
                    "compare with half the spacing (docs/accuracy.md, \"How coarse\")"};
 }
 

@@ -7,6 +7,8 @@
 
 #include "base/length_text.hpp"
 #include "base/number_text.hpp"
+#include "base/unlisted_value.hpp"
+#include "particles/narrow_gaps.hpp"
 #include "scene/measure_subject.hpp"
 #include "solver/forcing/driven.hpp"
 
@@ -187,9 +189,42 @@ class Warnings {
                         "leave the join out, or enable the part");
     }
 
+    /// Of the fluid as a whole, where there is none.
+    void about_measure_of_fluid(const Measure& measure) {
+        switch (*measure.kind) {
+            case MeasureKind::flux:
+            case MeasureKind::largest_speed:
+            case MeasureKind::density:
+            case MeasureKind::kinetic_energy:
+                return add("measure." + *measure.name + ".kind", measure.kind.location,
+                           "is of the fluid, and no part is a fluid: '" + *measure.name + "' says nothing",
+                           springs_ ? "measure the displacement of an elastic solid instead" : "leave the measure out");
+            case MeasureKind::gap:
+            case MeasureKind::displacement:
+            case MeasureKind::aggregate:
+            case MeasureKind::probe:
+            case MeasureKind::line:
+            case MeasureKind::mode:
+            case MeasureKind::amount:
+            case MeasureKind::mean_concentration:
+            case MeasureKind::profile:
+            case MeasureKind::spread:
+            case MeasureKind::wall_flux:
+            case MeasureKind::peclet:
+            case MeasureKind::uptake:
+            case MeasureKind::velocity:
+            case MeasureKind::spin:
+            case MeasureKind::wall_force:
+            case MeasureKind::detached:
+                return;
+        }
+        unlisted_value(*measure.kind);
+    }
+
     void about_measures() {
         for (const Measure& measure : scene_.measures) {
-            if (*measure.kind != MeasureKind::gap) continue;
+            if (!fluid_) about_measure_of_fluid(measure);
+            if (*measure.kind != MeasureKind::gap && *measure.kind != MeasureKind::displacement) continue;
             const Part* part = scene_.part_named(measure.part);
             if (part != nullptr && !*part->enabled)
                 add("measure." + *measure.name + ".part", measure.part.location,
@@ -247,6 +282,20 @@ std::optional<Warning> viscosity_better_implicit(const Scene& scene, const std::
                    "is \"explicit\", and viscosity keeps the steps " + number_text(others / viscous, 3) +
                        " times shorter than anything else",
                    "try \"implicit\": its steps cost 10 to 50 times as much (docs/speed.md)"};
+}
+
+std::optional<Warning> few_across(const Scene& scene, const ParticleSet& set) {
+    constexpr int enough = 4;
+    constexpr double much = 0.1;
+    const NarrowGaps gaps = find_narrow_gaps(set, enough);
+    const double share = static_cast<double>(gaps.inside) / static_cast<double>(std::max<std::size_t>(1, gaps.fluid));
+    if (share <= much) return {};
+    return Warning{"particles.spacing", scene.particles.spacing.location,
+                   "leaves " + number_text(100 * share, 2) +
+                       " % of the fluid in gaps of fewer than 4 particles across (" + std::to_string(gaps.fewest) +
+                       " at " + position_text(gaps.place, set.dimension) +
+                       "): flow through them is off by 10 % and more",
+                   "take a smaller one (docs/accuracy.md, \"Particles across\")"};
 }
 
 std::optional<Warning> stirred_interface(const Scene& scene, double acceleration) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "base/errors.hpp"
 #include "small_scenes.hpp"
@@ -196,6 +196,54 @@ TEST(Gap, of_a_part_that_is_left_out_has_no_column) {
                            measure_of("fastest", MeasureKind::largest_speed)};
     made.scene.run.duration = 0.01;
     EXPECT_EQ(measured(made).names, std::vector<std::string>{"fastest"});
+}
+
+TEST(Displacement, of_a_body_that_falls) {
+    SceneAndParticles made = flags_alone();
+    made.scene.flow.acceleration[0] = Expression("0.2", "0.2");
+    made.scene.contact.range = 0.0;
+    add_rod(made, {0.3, 0.2, 0}, 0);
+    Measure whole = measure_of("whole", MeasureKind::displacement, "flags"), tip = whole;
+    tip.name = std::string("tip");
+    tip.point = {Vec(0.31, 0.32, 0), {"scene.toml", 9, 9}};
+    made.scene.measures = {whole, tip};
+    const auto series = measured(made);
+    ASSERT_EQ(series.names, (std::vector<std::string>{"whole_x", "whole_y", "tip_x", "tip_y"}));
+    EXPECT_EQ(series.units, (std::vector<std::string>(4, "m")));
+    for (std::size_t row = 0; row < series.time.size(); ++row)
+        for (const std::size_t first : {0U, 2U}) {
+            EXPECT_NEAR(series.rows[row][first], 0.1 * series.time[row] * series.time[row], 1e-9);
+            EXPECT_NEAR(series.rows[row][first + 1], 0, 1e-12);
+        }
+}
+
+TEST(Displacement, at_a_point_is_that_of_the_nearest_particle) {
+    SceneAndParticles made = flags_alone();
+    add_rod(made, {0.3, 0.2, 0}, 0);
+    made.particles.fixed[made.particles.size() - 2] = 1;  // its lower end
+    made.scene.flow.acceleration[0] = Expression("0.2", "0.2");
+    Measure low = measure_of("low", MeasureKind::displacement, "flags"), high = low;
+    low.point = {Vec(0.3, 0.21, 0), {"scene.toml", 9, 9}};
+    high.name = std::string("high");
+    high.point = {Vec(0.3, 0.29, 0), {"scene.toml", 10, 9}};
+    made.scene.measures = {low, high};
+    const auto series = measured(made);
+    EXPECT_EQ(series.rows.back()[0], 0);
+    EXPECT_GT(series.rows.back()[2], 0.01);
+}
+
+TEST(Displacement, of_a_point_outside_is_an_error) {
+    SceneAndParticles made = flags_alone();
+    add_rod(made, {0.3, 0.2, 0}, 0);
+    made.scene.measures = {measure_of("far", MeasureKind::displacement, "flags")};
+    made.scene.measures[0].point = {Vec(0.7, 0.6, 0), {"scene.toml", 9, 9}};
+    try {
+        measured(made);
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.where().text(), "scene.toml:9:9");
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("is not in 'flags'"));
+    }
 }
 
 TEST(MeasureRows, come_at_measure_every_or_four_times_a_frame) {

@@ -163,6 +163,19 @@ INSTANTIATE_TEST_SUITE_P(
                    s.measures = {gap};
                },
                "scene.toml:7:9: measure.gap.part", "'flap' is left out (enabled = false)"},
+        Oddity{"energy_of_no_fluid",
+               [](Scene& s) {
+                   without_fluid(s);
+                   s.numerics.density_diffusion = 0.0;
+                   s.numerics.shifting = 0.0;
+                   Measure energy;
+                   energy.name = std::string("energy");
+                   energy.kind.location = {"scene.toml", 7, 9};
+                   energy.kind.value = MeasureKind::kinetic_energy;
+                   s.measures = {energy};
+                   s.output.fields = std::vector<FluidField>{};
+               },
+               "scene.toml:7:9: measure.energy.kind", "is of the fluid, and no part is a fluid"},
         Oddity{"rows_of_nothing", [](Scene& s) { give(s.output.measure_every, 0.1); },
                "scene.toml:7:9: output.measure_every", "has no effect: the scene has no [[measure]]"},
         Oddity{"region_of_nothing",

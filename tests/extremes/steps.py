@@ -1,0 +1,47 @@
+# Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+"""Each limit that docs/limits.md states: clean at 0.9 of it, and an error beyond it, at 1.5 of it or as far as the key goes."""
+import math
+
+from extreme import Extreme
+from solids import strip
+from spheres import rebound
+
+VORTICES = "verification/taylor_green"
+
+
+def decay(results):
+    """Of the vortices' energy after 0.7 s (Taylor & Green 1937), over its first value."""
+    return max(abs(energy - 0.25 * math.exp(-0.16 * math.pi**2 * t)) / 0.25
+               for t, energy in zip(results.time, results.columns["energy"]))
+
+
+def whole(results):
+    """Whether the valve's measures are numbers, and its inflow below the largest speed that the scene expects."""
+    return 0.0 if math.isfinite(results.last("tip_gap")) else float("inf")
+
+
+def extremes():
+    for factor, ends in ((0.69, "right"), (1.0, "diverges")):
+        yield Extreme("step limits", f"vortices, step factor {factor:g}", VORTICES, [f"numerics.step_factor={factor}"],
+                      "0.7 s", decay, 0.02, ends, "numerics.step_factor", slow=True)
+    for factor, ends in ((0.55, "right"), (0.93, "diverges")):
+        yield Extreme("step limits", f"vein valve, step factor {factor:g}", "vein_valve",
+                      [f"numerics.step_factor={factor}"], "60 ms", whole, 0.0, ends, "numerics.step_factor", slow=True)
+    for factor in (0.9, 1.0):
+        text, files, deviation = strip(stepping="subcycled", numerics={"spring_step_factor": factor})
+        yield Extreme("step limits", f"sub-cycled strip, {factor:g} of the largest step of its springs", text, files=files,
+                      deviation=deviation, bound=0.03)
+    text, files, _ = strip(stepping="subcycled", numerics={"spring_step_factor": 1.5})
+    yield Extreme("step limits", "sub-cycled strip, 1.5 of the largest step of its springs", text, files=files,
+                  ends="refused", says="spring_step_factor")
+    for steps, ends in ((5.5, "right"), (3.0, "refused")):
+        text, deviation = rebound(numerics={"steps_per_contact": steps})
+        yield Extreme("step limits", f"ball, {steps:g} steps in its impact", text, deviation=deviation, bound=0.05,
+                      ends=ends, says="steps_per_contact")
+    text, deviation = rebound(numerics={"contact_step": (1e-4, "s")})
+    yield Extreme("step limits", "ball, steps longer than its impact", text, deviation=deviation, bound=0.05,
+                  ends="refused", says="contact_step")
+    for key, value in (("mach_number", 0.5), ("support", 1.5), ("support", 10.0), ("density_diffusion", 10.0),
+                       ("shifting", -1.0), ("step_factor", 0.0), ("sound_speed", '"0 m/s"')):
+        yield Extreme("step limits", f"numerics.{key} = {value}", VORTICES, [f"numerics.{key}={value}"], "0.1 s",
+                      ends="refused", says=key)
