@@ -171,7 +171,14 @@ std::string limits_text(const Plan& plan) {
         list.add(limit.model, fmt::format("{:<14} {}{}", quantity_text(limit.dt, "s"), limit.formula,
                                           rules ? "   <- rules the time step" : ""));
     }
-    return Style(Stream::output).strong("Largest time steps") + "\n" + list.text();
+    Listing margins;
+    for (const Margin& margin : plan.margins)
+        margins.add(margin.key, fmt::format("{:.4g}, stated limit {:.3g} ({}): {:.3g} times{}", margin.own,
+                                            margin.stated, margin.formula, margin.times,
+                                            margin.is_by_other ? ", as other limits keep the steps shorter" : ""));
+    const Style style(Stream::output);
+    return style.strong("Largest time steps") + "\n" + list.text() +
+           (plan.margins.empty() ? "" : style.strong("Margins of what sets the steps") + "\n" + margins.text());
 }
 
 }  // namespace dmp::cli

@@ -132,6 +132,10 @@ std::string limit_way_text(const LimitsFacts::Dial& dial) {
 
 std::string margin_text(const std::optional<double>& margin) { return margin ? dmp::number_text(*margin, 3) : "-"; }
 
+std::string stated_text(const std::string& stated, const std::optional<double>& margin) {
+    return margin ? stated + ", " + margin_text(margin) + " times" : stated;
+}
+
 void write_limits_facts(const std::filesystem::path& folder, const LimitsFacts& limits) {
     Json json{{"scene", limits.scene},
               {"name", limits.name},

@@ -82,6 +82,9 @@ struct LimitsFacts {
 /// "2.4": how many times; "-" for none.
 [[nodiscard]] std::string margin_text(const std::optional<double>& margin);
 
+/// "0.7, 1.4 times": a stated limit with its margin.
+[[nodiscard]] std::string stated_text(const std::string& stated, const std::optional<double>& margin);
+
 /// Writes limits.json. Throws ResourceError.
 void write_limits_facts(const std::filesystem::path& folder, const LimitsFacts& limits);
 /// Throws InputError, which names the file and the place, where it cannot be read or is damaged.

@@ -27,9 +27,9 @@ std::string dials_table(const LimitsFacts& limits) {
     std::vector<std::vector<std::string>> rows;
     for (const Dial& dial : limits.dials)
         rows.push_back({dial.name, dial.is_up ? "up" : "down", limit_value_text(dial.own, dial.unit),
-                        limit_value_text(dial.stated, dial.unit), limit_value_text(dial.clean, dial.unit),
-                        limit_value_text(dial.bad, dial.unit), margin_text(dial.margin()), limit_way_text(dial),
-                        remark_on(dial)});
+                        stated_text(limit_value_text(dial.stated, dial.unit), dial.stated_margin()),
+                        limit_value_text(dial.clean, dial.unit), limit_value_text(dial.bad, dial.unit),
+                        margin_text(dial.margin()), limit_way_text(dial), remark_on(dial)});
     return table("Dials", {"dial", "", "own", "stated", "last clean", "first bad", "margin", "ends", ""}, rows, 9);
 }
 

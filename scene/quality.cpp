@@ -4,6 +4,7 @@
 
 #include "scene/read_scene.hpp"
 #include "scene/schema.hpp"
+#include "scene/step_margins.hpp"
 
 namespace dmp::scene {
 
@@ -42,7 +43,9 @@ std::string default_origin(const Scene& scene, const std::string& key) {
             origin += (origin.empty() ? "" : ", ") + ("quality = \"" + to_string(*scene.quality) + "\" at ") +
                       scene.quality.location.text();
     }
-    return origin.empty() ? "default" : origin;
+    if (origin.empty()) origin = "default";
+    const std::string lowered = lowered_text(scene, key);
+    return lowered.empty() ? origin : origin + ", " + lowered;
 }
 
 }  // namespace dmp::scene

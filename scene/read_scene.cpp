@@ -14,6 +14,7 @@
 #include "scene/numerics_checks.hpp"
 #include "scene/overrides.hpp"
 #include "scene/schema.hpp"
+#include "scene/step_margins.hpp"
 
 namespace dmp::scene {
 
@@ -198,6 +199,7 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
     scene.breaking = read_items(document, "break", schema().breaking, scene);
     check_scene(scene, document);
     set_dependent_defaults(scene);
+    lower_defaults(scene);
     scene.hash = fnv1a(resolved_scene(scene));
     return scene;
 }

@@ -269,7 +269,8 @@ std::vector<Key<Numerics>> numerics_keys() {
         {"transport_velocity", &Numerics::transport_velocity, boolean(), "false",
          "Whether particles move with a transport velocity, which keeps them evenly spread, instead of shifting."},
         {"step_factor", &Numerics::step_factor, number(fraction), ByScheme{"0.5", {"0.4", "0.3", "0.15"}},
-         "Time step of the fluid, times the speed of sound, divided by the support radius."},
+         "Time step of the fluid, times the speed of sound, divided by the support radius. The default is lowered, to "
+         "0.275, where elastic solids are sub-cycled (docs/limits.md)."},
         {"viscosity_stepping", &Numerics::viscosity_stepping, one_of<ViscosityStepping>(), "explicit",
          "Integration of viscous forces: \"explicit\", which limits the time step, or \"implicit\", which solves a "
          "linear system in each step."},

@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "base/number_text.hpp"
-#include "base/unlisted_value.hpp"
-#include "models/sph/kernels.hpp"
 #include "scene/quantity.hpp"
 #include "scene/toml_node.hpp"
 
@@ -64,47 +62,9 @@ Found of_parts(const DialScene& of, PartKind kind,
     return all;
 }
 
-/// Largest stable c dt / R by linear theory.
-template <int D>
-double sound_limit_of(KernelKind kind) {
-    switch (kind) {
-        case KernelKind::wendland_c2:
-            return WendlandC2<D>::sound_limit;
-        case KernelKind::wendland_c4:
-            return WendlandC4<D>::sound_limit;
-        case KernelKind::lucy:
-            return Lucy<D>::sound_limit;
-        case KernelKind::cubic_spline:
-            return CubicSpline<D>::sound_limit;
-        case KernelKind::quintic_spline:
-            return QuinticSpline<D>::sound_limit;
-    }
-    unlisted_value(kind);
-}
-
-/// c0 dt / R above which the corrected scheme is unstable, measured (docs/scheme.md): of liquids and walls, and where
-/// elastic nodes, stepped implicitly or sub-cycled, are as heavy as the liquid that they displace.
-constexpr double of_liquid = 0.7, of_elastic = 0.6, of_subcycled_elastic = 0.33;
-
-/// The step is step_factor R / (c0 + U).
-std::optional<StatedLimit> largest_step_factor(const DialScene& of) {
-    const double c0 = of.facts.sound_speed;
-    const auto at = [&](double limit, const std::string& source) {
-        return StatedLimit{limit * (c0 + of.facts.largest_speed) / c0,
-                           "c0 dt / R = " + number_text(limit, 3) + ", " + source};
-    };
-    switch (*of.scene.numerics.scheme) {
-        case FluidScheme::corrected:
-            if (!of.scene.may_have_elastic()) return at(of_liquid, "measured");
-            return *of.scene.numerics.spring_stepping == SpringStepping::subcycled
-                       ? at(of_subcycled_elastic, "measured, with sub-cycled elastic solids")
-                       : at(of_elastic, "measured, with elastic solids");
-        case FluidScheme::plain:
-            return at(*of.scene.dimension == 3 ? sound_limit_of<3>(of.scene.numerics.kernel)
-                                               : sound_limit_of<2>(of.scene.numerics.kernel),
-                      "linear theory of the kernel");
-    }
-    unlisted_value(*of.scene.numerics.scheme);
+/// Of a key that sets steps.
+std::function<std::optional<StatedLimit>(const DialScene&)> stated_of(const char* key) {
+    return [key](const DialScene& of) { return std::optional(step_margin(of.scene, key).stated); };
 }
 
 /// The species' diffusivities, all by the same factor.
@@ -150,7 +110,7 @@ std::vector<DialRow> rows() {
          },
          {{"sound", 1}},
          true,
-         largest_step_factor},
+         stated_of("numerics.step_factor")},
         {"Mach number, which sets the speed of sound",
          up,
          false,
@@ -208,9 +168,7 @@ std::vector<DialRow> rows() {
          },
          {},
          false,
-         [](const DialScene&) {
-             return std::optional(StatedLimit{1, "2 / omega_max of the initial lattice"});
-         }},
+         stated_of("numerics.spring_step_factor")},
         {"range of the repulsion, in spacings", both, false,
          [](const DialScene& of) {
              return one_if(of.facts.contact_strength > 0 && of.scene.may_have_elastic(),
@@ -225,7 +183,8 @@ std::vector<DialRow> rows() {
                            key_of("numerics.steps_per_contact", of.scene.numerics.steps_per_contact));
          },
          {{"contact of", -1}, {"adhesion of", -1}, {"Rayleigh", -1}},
-         true},
+         true,
+         stated_of("numerics.steps_per_contact")},
         {"time step of spheres",
          up,
          false,

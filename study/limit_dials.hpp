@@ -10,6 +10,7 @@
 
 #include "base/enum_names.hpp"
 #include "scene/scene.hpp"
+#include "scene/step_margins.hpp"
 #include "study/uses.hpp"
 
 namespace dmp::study {
@@ -17,7 +18,6 @@ namespace dmp::study {
 /// What the plan of a scene's run says, as far as limits depend on it.
 struct LimitFacts {
     bool at_rest = false;                       ///< nothing moves, and only species are stepped
-    double sound_speed = 0, largest_speed = 0;  ///< [m/s]
     double contact_strength = 0;                ///< K of the short-range repulsion [J]; 0: there is none
     double dt = 0;                              ///< time step [s]
     std::map<std::string, double> step_limits;  ///< largest step of each model that the step follows from [s]
@@ -44,12 +44,6 @@ struct DialRung {
     double cost = 1;                ///< steps in the same time, as a multiple of those of the scene's own
 };
 
-/// A limit that the program states.
-struct StatedLimit {
-    double value = 0;     ///< of the dial's first key, in its unit
-    std::string formula;  ///< or the check that refuses what is beyond
-};
-
 /// A value of a scene's models that is turned, one way, until the scene breaks.
 struct Dial {
     std::string name;  ///< its first key
@@ -58,14 +52,18 @@ struct Dial {
     /// A property of what is simulated: with another value the answer is another one, and only what breaks is a limit.
     bool is_physical = false;
     std::vector<DialKey> keys;
-    std::optional<StatedLimit> stated;
-    std::vector<DialRung> rungs;  ///< from the scene's own value away
-    std::string end;              ///< why the ladder has no further rungs
+    std::optional<StatedLimit> stated;  ///< of the first key: by a formula, or the check that refuses what is beyond
+    std::vector<DialRung> rungs;        ///< from the scene's own value away
+    std::string end;                    ///< why the ladder has no further rungs
     std::string refused;          ///< what the scene's check says of what is beyond the last rung; "": it allows it
     std::optional<double> bound;  ///< the last value that the check allows, where it refuses what is beyond
 
     [[nodiscard]] double own() const { return keys.front().own; }
     [[nodiscard]] const std::string& unit() const { return keys.front().unit; }
+    /// How many times the value may grow, or shrink, up to the stated limit, which there must be.
+    [[nodiscard]] double stated_margin() const {
+        return side == DialSide::up ? stated->value / own() : own() / stated->value;
+    }
 };
 
 /// The dials of the models that the scene uses, each up, down, or both. Rungs are multiples of the scene's own value:

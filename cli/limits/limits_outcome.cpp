@@ -120,8 +120,9 @@ std::string limits_text(const LimitsFacts& limits) {
     for (const LimitsFacts::Dial& dial : limits.dials) {
         const std::string& why = dial.likely_causes.empty() ? dial.cause : dial.likely_causes;
         rows.push_back({dial.name, dial.is_up ? "up" : "down", limit_value_text(dial.own, dial.unit),
-                        limit_value_text(dial.stated, dial.unit), limit_value_text(dial.clean, dial.unit),
-                        limit_value_text(dial.bad, dial.unit), margin_text(dial.margin()),
+                        stated_text(limit_value_text(dial.stated, dial.unit), dial.stated_margin()),
+                        limit_value_text(dial.clean, dial.unit), limit_value_text(dial.bad, dial.unit),
+                        margin_text(dial.margin()),
                         limit_way_text(dial) + (why.empty() ? "" : ": " + shortened(why, longest_cause))});
     }
     std::string text = style.strong("Limits") + "\n" + table_text(rows);

@@ -13,6 +13,7 @@
 #include "cli/prepare.hpp"
 #include "cli/sweep/study_options.hpp"
 #include "cli/text.hpp"
+#include "report/limits_facts.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/run/setup.hpp"
 #include "solver/run/sound_speed.hpp"
@@ -31,8 +32,6 @@ constexpr double rows_of_a_run = 10;
 study::LimitFacts facts_of(const Scene& scene, const Plan& plan, const Resources& resources) {
     study::LimitFacts facts;
     facts.at_rest = plan.at_rest;
-    facts.sound_speed = plan.sound_speed;
-    facts.largest_speed = plan.largest_speed;
     facts.dt = plan.dt;
     if (scene.parts_of(PartKind::spheres).empty())
         // "auto" is by the speed of sound that the run has.
@@ -154,10 +153,11 @@ std::string dials_text(const LimitsRequest& request) {
         if (!request.asked[k]) continue;
         const study::Dial& dial = request.study.dials()[k];
         const std::vector<study::RungState> none(dial.rungs.size(), study::RungState::unknown);
-        rows.push_back({dial.name, to_string(dial.side), dial_value_text(dial.own(), dial.unit()),
-                        dial.stated ? dial_value_text(dial.stated->value, dial.unit()) : "-",
-                        dial.rungs.empty() ? "none" : "to " + dial_value_text(dial.rungs.back().value, dial.unit()),
-                        std::to_string(study::most_runs_left(none)), dial.what});
+        rows.push_back(
+            {dial.name, to_string(dial.side), dial_value_text(dial.own(), dial.unit()),
+             dial.stated ? stated_text(dial_value_text(dial.stated->value, dial.unit()), dial.stated_margin()) : "-",
+             dial.rungs.empty() ? "none" : "to " + dial_value_text(dial.rungs.back().value, dial.unit()),
+             std::to_string(study::most_runs_left(none)), dial.what});
     }
     return table_text(rows);
 }

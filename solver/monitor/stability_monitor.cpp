@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/number_text.hpp"
+#include "scene/step_margins.hpp"
 
 namespace dmp::solver {
 
@@ -138,6 +139,9 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
         usual.shifting = 0.2;
         usual_range = 0.7;
     }
+    for (const StepMargin& margin : step_margins(scene_))
+        if (margin.key == "numerics.step_factor")
+            usual.step_factor = std::min(*usual.step_factor, margin.with_least_margin());
     std::vector<std::pair<double, std::string>> causes;  // with how likely each is
 
     // A run that breaks is slow in most places. All of it fast: that is the drive.

@@ -65,6 +65,15 @@ struct Warning {
     }
 };
 
+/// How far a key that sets the length of steps is from a limit that the program states.
+struct Margin {
+    std::string key;  ///< "numerics.step_factor"
+    double own = 0, stated = 0;
+    std::string formula;       ///< what the stated limit is
+    double times = 0;          ///< by which the steps could be longer
+    bool is_by_other = false;  ///< another limit keeps the steps shorter than the key does: part of `times`
+};
+
 /// A preview of a run.
 struct Plan {
     std::map<std::string, std::size_t> particles;  ///< by kind
@@ -78,6 +87,7 @@ struct Plan {
     long steps = 0;
     std::vector<StepLimit> limits;  ///< of the fluid step and the spring step
     std::string ruling_limit;       ///< the limit that determines the fluid step
+    std::vector<Margin> margins;    ///< of the keys that set steps
     std::vector<ModelUse> models;
     std::vector<std::string> fields;         ///< per-particle arrays that are allocated, with their bytes
     std::vector<std::string> common_fields;  ///< those of them that several models share

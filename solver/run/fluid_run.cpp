@@ -17,6 +17,7 @@
 #include "solver/run/warnings.hpp"
 #include "solver/state/loaded_groups.hpp"
 #include "solver/state/state_hash.hpp"
+#include "solver/time/margins.hpp"
 #include "solver/uses.hpp"
 
 namespace dmp::solver {
@@ -217,6 +218,8 @@ Plan FluidRun::plan() const {
     plan.ruling_limit = ruling.model;
     plan.steps = steps_of(scene_.run.duration, plan.dt);
     const std::optional<Warning> better_implicit = viscosity_better_implicit(scene_, plan.limits);
+    plan.warnings = warnings_of(scene_, fluid_.springs().bodies().size());
+    add_margins(plan, scene_);
     plan.spring_substeps = fluid_.springs().substeps(plan.dt);
     if (settings_.viscosity.implicit && scales_.kinematic_viscosity > 0) {
         plan.limits.push_back(viscous_step_limit(scales_));
@@ -233,7 +236,6 @@ Plan FluidRun::plan() const {
     }
     add_limits_of_elastic_solids(plan);
     plan.models = models_in_use(scene_, settings_, fluid_.sweeps(), fluid_.springs());
-    plan.warnings = warnings_of(scene_, fluid_.springs().bodies().size());
     plan.warnings.insert(plan.warnings.end(), foreseen_.begin(), foreseen_.end());
     if (better_implicit) plan.warnings.push_back(*better_implicit);
     if (const auto stirred = stirred_interface(scene_, fluid_.body_force().largest(time_)))

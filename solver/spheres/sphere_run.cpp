@@ -16,6 +16,7 @@
 #include "solver/state/loaded_groups.hpp"
 #include "solver/state/state_hash.hpp"
 #include "solver/store/position_quantum.hpp"
+#include "solver/time/margins.hpp"
 #include "solver/time/step_limits.hpp"
 
 namespace dmp::solver {
@@ -141,6 +142,7 @@ Plan SphereRun::plan() const {
     plan.ruling_limit = ruling.model;
     plan.steps = steps_of(scene_.run.duration, plan.dt);
     plan.models = sphere_models(scene_, setup_, space_);
+    add_margins(plan, scene_);
     if (const auto warning = by_hand_.inaccurate_at(fastest_)) plan.warnings.push_back(*warning);
     for (const Field field : group_.declared()) {
         const auto bytes = static_cast<std::size_t>(group_.axes(field)) * sizeof(double);

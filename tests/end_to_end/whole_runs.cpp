@@ -207,8 +207,8 @@ TEST_F(Poiseuille, ExplainNamesModelsSourcesFieldsAndLimits) {
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_THAT(outcome.output,
                 testing::AllOf(HasSubstr("Models"), HasSubstr("Morris"), HasSubstr("why"), HasSubstr("source"),
-                               HasSubstr("Largest time steps"), HasSubstr("Fields that several models need"),
-                               HasSubstr(" B a particle")));
+                               HasSubstr("Largest time steps"), HasSubstr("Margins of what sets the steps"),
+                               HasSubstr("Fields that several models need"), HasSubstr(" B a particle")));
     EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("fields  fluid: shift, 16 bytes"), HasSubstr("Measured\n"),
                                                HasSubstr("whole step"), HasSubstr(" ns a particle and step"),
                                                HasSubstr("quality      standard (quality, default)"),

@@ -180,7 +180,7 @@ TEST(SectionOfLimits, HasTheTableOfTheDialsAndOfTheMeasures) {
     const std::string html = limits_section(valve());
     EXPECT_THAT(html, AllOf(HasSubstr("<section id=\"limits\""), HasSubstr("<svg ")));
     EXPECT_THAT(html,
-                HasSubstr("<th scope=\"row\">a</th><td>up</td><td>2 m/s</td><td>4.5 m/s</td><td>4 m/s</td>"
+                HasSubstr("<th scope=\"row\">a</th><td>up</td><td>2 m/s</td><td>4.5 m/s, 2.25 times</td><td>4 m/s</td>"
                           "<td>5 m/s</td><td>2</td><td>breaks</td><td>what it is; stated: a formula; the step</td>"));
     EXPECT_THAT(html, HasSubstr("<h3>Measures</h3>\n<p>The repeat &lt;breaks&gt;.</p>"));
     EXPECT_THAT(html, HasSubstr("<td>departs: 12 % in flux</td>"));
