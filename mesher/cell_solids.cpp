@@ -85,7 +85,7 @@ void check_filled(const Part& part, const SolidCells& cells, double drawn) {
     if (!cells.cells.empty() && cells.lost_volume <= most_lost * drawn) return;
     std::ostringstream problem;
     problem << "'" << part.name.value << "' is too thin for cells: " << cells.lost
-            << " boxes of the lattice are filled by less than a quarter and have no cell beside them";
+            << " boxes of the lattice have too little of it for a cell and no cell beside them";
     throw InputError(part.name.location, problem.str(),
                      "refine particles.spacing to half of its thickness, or draw its middle as a curve, with "
                      "mass_per_length, or in 3-D as a surface, with thickness");

@@ -15,8 +15,9 @@ namespace {
 
 using BoxIndex = std::array<int, 3>;
 
-/// Of a box: with less solid it is no cell. A tenth makes bodies stiffer than they are, a half softer.
-constexpr double least_share = 0.25;
+/// Of a box: with less solid it is no cell. A smaller share makes bodies stiffer, a larger one softer, most of all when
+/// they twist (docs/elastic.md).
+constexpr double least_share(int dimension) { return dimension == 3 ? 0.2 : 0.25; }
 /// A cell that has taken up its neighbours' solid keeps its particle so far inside its box [step]: else a node's share
 /// of its mass would be negative.
 constexpr double farthest_centroid = 0.49;
@@ -38,7 +39,7 @@ class Builder {
     void look_at(const BoxIndex& box) {
         const Filling filling = solid_.filling(box);
         if (!(filling.volume > 0)) return;
-        const bool is_cell = filling.volume >= least_share * lattice_.volume();
+        const bool is_cell = filling.volume >= least_share(lattice_.dimension) * lattice_.volume();
         if (!is_cell) {
             slivers_.emplace_back(box, filling);
             return;

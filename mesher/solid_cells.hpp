@@ -70,11 +70,10 @@ struct SolidOnLattice {
     std::function<bool(const std::array<int, 3>& box, int axis)> joined;
 };
 
-/// A cell for each box of which the solid fills at least a quarter. What is in other boxes goes to the cell beside them
-/// whose solid is nearest, so that the solid's volume and moments stay what they are. Cells share the nodes of a face
-/// where there is solid on it, and have nodes of their own elsewhere: a slit between two boxes stays one. Through a
-/// periodic side the solid goes on. `first` to
-/// `last`, which is left out: the boxes to look at.
+/// A cell for each box of which the solid fills at least a quarter, in 3-D a fifth. What is in other boxes goes to the
+/// cell beside them whose solid is nearest, so that the solid's volume and moments stay what they are. Cells share the
+/// nodes of a face where there is solid on it, and have nodes of their own elsewhere: a slit between two boxes stays
+/// one. Through a periodic side the solid goes on. `first` to `last`, which is left out: the boxes to look at.
 SolidCells solid_cells(const BoxLattice& lattice, const std::array<int, 3>& first, const std::array<int, 3>& last,
                        const SolidOnLattice& solid);
 

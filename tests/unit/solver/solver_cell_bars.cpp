@@ -121,5 +121,15 @@ TEST(RoundStrut, bends_and_twists_as_a_round_one_does) {
     }
 }
 
+TEST(RoundStrut, twists_as_a_round_one_does_wherever_it_lies_on_the_lattice) {
+    const Material material{1, 0.3};
+    const double gj = pi / 32 * material.constants().mu;
+    // In the last two places boxes are filled by just less than a cell needs.
+    for (const auto& [shift, bound] :
+         {std::pair{Vec(0, 0.5, 0.5), 0.002}, std::pair{Vec(0, 0.2, 0), 0.02}, std::pair{Vec(0, 0.45, 0.45), 0.035}})
+        EXPECT_NEAR(torsional_stiffness(bar(0.25, shift, in_disc), material) / gj, 1, bound)
+            << "shift " << shift.transpose();
+}
+
 }  // namespace
 }  // namespace dmp::tests::solver_cell_bars_tests
