@@ -280,6 +280,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     options.warn = [&](double time, const Warning& warning) {
         line.clear();
         log.warn(" at " + quantity_text(time, "s") + ": " + warning.text());
+        warnings.push_back(warning.text());
     };
     MeasuresFile measures(folder), references_file(folder, references_file_name);
     options.measured = [&](const MeasureSeries& series) {
@@ -303,7 +304,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
                             stopped_by(summary, signals), typed.with("--resume")));
     const auto files = write_results(folder, scene, summary,
                                      {label_of(scene), sink ? sink->files() : std::vector<std::string>{}, started_from,
-                                      values.lines(), plan.models, distances},
+                                      values.lines(), plan.models, distances, warnings},
                                      command, line, log);
     // Of a run that goes on, those of before are still there.
     if (!summary.interrupted && !options.checkpoints.at_end) CheckpointFolder(folder).remove();

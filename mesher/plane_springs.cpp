@@ -183,6 +183,14 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
                 << " columns of particles; at least " << fewest_columns << " are needed to bend";
         throw InputError(part.name.location, problem.str(), "refine particles.spacing or draw a longer curve");
     }
+    constexpr std::size_t enough_cells = 8;
+    if (const std::size_t cells = ladder.columns() - 1; cells < enough_cells) {
+        std::ostringstream text;
+        text << "a curve of '" << part.name.value << "' is " << cells
+             << " cells long, and a whole column of particles stands at its end: it swings about " << 100 / cells
+             << " % too slowly; take a smaller particles.spacing";
+        result_.report.warnings.push_back(text.str());
+    }
     const LadderConstants constants = ladder_constants(part, ladder.along, spacing_);
     const int body = bodies_++;
     body_curves_.pieces.push_back(curve);

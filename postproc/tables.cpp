@@ -167,6 +167,7 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
         formulas[limit.model] = limit.formula;
     }
     Json warnings = Json::array();
+    for (const std::string& warning : extra.warnings) warnings.push_back(warning);
     for (const Warning& warning : summary.warnings) warnings.push_back(warning.text());
     Json json{{"title", extra.label.title},
               {"version", extra.label.version},
@@ -177,6 +178,7 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
               {"steps", summary.steps},
               {"simulated_s", summary.simulated_s},
               {"wall_s", summary.wall_s},
+              {"processor_s", summary.processor_s},
               {"particle_steps_per_s", summary.particle_steps_per_s},
               {"threads", summary.threads},
               {"ranks", summary.ranks},
@@ -248,8 +250,10 @@ std::optional<RunEnd> read_run_end(const fs::path& folder) {
     std::ifstream file(folder / summary_file_name);
     const Json json = Json::parse(file, nullptr, false);
     if (!json.is_object() || !json.contains("interrupted") || !json["interrupted"].is_boolean()) return {};
-    const bool has_time = json.contains("simulated_s") && json["simulated_s"].is_number();
-    return RunEnd{json["interrupted"], has_time ? json["simulated_s"].get<double>() : 0};
+    const auto number = [&](const char* key) {
+        return json.contains(key) && json[key].is_number() ? json[key].get<double>() : 0;
+    };
+    return RunEnd{json["interrupted"], number("simulated_s"), number("processor_s")};
 }
 
 }  // namespace dmp::postproc

@@ -68,6 +68,7 @@ struct SummaryExtra {
     std::vector<std::pair<std::string, std::string>> chosen{};  ///< values in force and where they come from
     std::vector<ModelUse> models{};                             ///< that ran, and why
     std::vector<ReferenceDistance> references{};
+    std::vector<std::string> warnings{};  ///< given before the run's end: of the particles, of the scene, on the way
 };
 
 /// folder/summary.json, the results of a run for scripts (keys: docs of `RunSummary`). NaN and infinities become
@@ -79,6 +80,7 @@ void write_summary(const std::filesystem::path& folder, const RunSummary& summar
 struct RunEnd {
     bool interrupted = false;
     double simulated_s = 0;
+    double processor_s = 0;  ///< of its steps; 0: not known
 };
 
 /// None if there is no summary.json or it is not one.

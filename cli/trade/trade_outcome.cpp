@@ -63,6 +63,14 @@ std::map<std::string, std::string> failures_told(const fs::path& folder) {
     return failures;
 }
 
+/// Processor time of a run's steps: making its particles counts for the first run of a spacing alone, and does not
+/// grow with the time that is simulated. Without that, of its processes.
+double cost_of(const fs::path& folder, const std::map<std::string, RunTime>& times, const std::string& name) {
+    if (const auto end = postproc::read_run_end(folder); end && end->processor_s > 0) return end->processor_s;
+    const auto time = times.find(name);
+    return time == times.end() ? study::no_number : time->second.processor_s;
+}
+
 }  // namespace
 
 fs::path default_trade_folder(const Scene& scene) { return output_folder("", scene_name(scene) + "_trade"); }
@@ -103,8 +111,7 @@ TradeOutcome trade_outcome(const fs::path& folder, const Scene& scene, const stu
             continue;
         }
         outcome.failures.back().clear();  // at most, a number of the study's page could not be had
-        const auto time = times.find(name);
-        outcome.runs.push_back({index, time == times.end() ? study::no_number : time->second.processor_s, {}});
+        outcome.runs.push_back({index, cost_of(run_folder(folder, name), times, name), {}});
         comparable += settings.settings[index].role == study::TradeRole::candidate ? 1 : 0;
     }
     if (comparable < 2) return outcome;

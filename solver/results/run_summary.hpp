@@ -88,6 +88,8 @@ struct RunSummary {
     long steps = 0;
     double simulated_s = 0;
     double wall_s = 0;
+    /// Of all threads of all ranks in the steps; of a run that went on, as if all had cost what those since then did.
+    double processor_s = 0;
     double particle_steps_per_s = 0;
     int threads = 1;
     int ranks = 1;

@@ -56,7 +56,6 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
       strain_(fluid_.springs()),
       frame_times_(scene_.output.every),
       measure_times_(scene_.output.measure_every > 0 ? scene_.output.measure_every.value : scene_.output.every / 4) {
-    if (const auto narrow = few_across(scene_, set)) foreseen_.push_back(*narrow);
     for (std::size_t i = 0; i < set.size(); ++i) ++count_[to_string(set.kind(i))];
     fill_store(scene_, set, particles_);
     fluid_.take_speed();

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/results/plan.hpp"
 #include "solver/uses.hpp"
@@ -19,13 +18,9 @@ std::vector<Warning> warnings_of(const Scene& scene, std::size_t bodies);
 /// of these, 200 times shorter than any other (docs/speed.md, "Implicit viscosity").
 std::optional<Warning> viscosity_better_implicit(const Scene& scene, const std::vector<StepLimit>& limits);
 
-/// Says that more than a tenth of the fluid stands between solids with fewer than four particles across, where flows
-/// are off by 10 % and more (docs/accuracy.md, "Particles across").
-std::optional<Warning> few_across(const Scene& scene, const ParticleSet& set);
-
 /// Says that liquids of unlike density, under this largest acceleration [m/s^2], are stirred at their interface by the
 /// scheme itself, where sqrt(A g dx^3) / nu exceeds 3 with A = (rho_max - rho_min) / (rho_max + rho_min) and the least
-/// nu (docs/scheme.md, "Limits that are known").
+/// nu (docs/scheme.md, "Limits that are known"); with the plain scheme, where one is more than ten times as dense.
 std::optional<Warning> stirred_interface(const Scene& scene, double acceleration);
 
 }  // namespace dmp::solver

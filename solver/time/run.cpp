@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 #include <vector>
 
 #include "base/wall_clock.hpp"
@@ -48,7 +49,11 @@ RunSummary Run::run(const RunOptions& options) {
     const std::int64_t first_step = step();
     start(options.sink);
     if (options.measured) options.measured(series());
+    const std::clock_t processor = std::clock();
     const End end = step_until(checkpoints, options, until);
+    ExactSum processor_s;
+    processor_s.add(static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC);
+    ranks().sum(processor_s);
     finish(options.sink);
 
     RunSummary summary = this->summary();
@@ -60,6 +65,8 @@ RunSummary Run::run(const RunOptions& options) {
     for (const auto& [kind, count] : plan.particles) particles += count;
     const std::int64_t steps = step() - first_step;
     summary.particle_steps_per_s = static_cast<double>(steps) * static_cast<double>(particles) / end.wall;
+    summary.processor_s =
+        steps == 0 ? 0 : processor_s.value() * static_cast<double>(step()) / static_cast<double>(steps);
     summary.interrupted = end.interrupted;
     summary.out_of_time = end.out_of_time;
     summary.first_step = static_cast<long>(first_step);

@@ -8,6 +8,7 @@ import csv
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 from dataclasses import dataclass, field
@@ -39,7 +40,7 @@ class Results:
 
     def warnings(self):
         """Without the places in the scene's file."""
-        return [text.split(": ", 1)[-1] for text in self.summary["warnings"]]
+        return [re.sub(r"^\S+:\d+:\d+: ", "", text) for text in self.summary["warnings"]]
 
 
 @dataclass
@@ -75,7 +76,7 @@ def error_text(stderr):
     starts = [k for k, line in enumerate(lines) if line.startswith("error: ")]
     if not starts:
         return stderr.strip()
-    return " ".join(line.strip() for line in lines[starts[-1]:])
+    return "; ".join(line.strip() for line in lines[starts[-1]:]).removeprefix("error: ")
 
 
 def run(program, extreme):

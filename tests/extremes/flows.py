@@ -91,4 +91,4 @@ def extremes():
     for across in (1, 2, 3, 4, 5, 10):
         text, files, deviation = across_gap(across)
         yield Extreme("particles across", f"channel of {across}", text, files=files, deviation=deviation, bound=0.05,
-                      ends="right" if across > 5 else "warned", says="particles.spacing")
+                      ends="right" if across > 5 else "warned", says="a gap of" if across == 1 else "particles.spacing")

@@ -75,7 +75,7 @@ def extremes():
     for ratio in (100.0, 1000.0):
         text, files, deviation = tank(ratio, scheme="plain")
         yield Extreme("density ratios", f"liquid upon one {ratio:g} times as dense, plain scheme", text, files=files,
-                      deviation=deviation, bound=0.05)
+                      deviation=deviation, bound=0.05, ends="warned", says="stirs")
     for gravity in (1e-6, 1e6):
         text, files, deviation = tank(2.0, gravity=gravity)
         yield Extreme("density ratios", f"two liquids in a gravity of {gravity:g} m/s^2", text, files=files,

@@ -3,7 +3,7 @@
 
 HEAD = """# Extremes
 
-Written by `./dmp test --extremes`: {count} runs with values far from the usual ones, each compared with what is known of its
+Written by `./dmp test --verification --filter extremes`: {count} runs with values far from the usual ones, each compared with what is known of its
 answer. A run ends
 
 - **right**: within its bound of a closed form, or of what conservation demands ({right});
@@ -23,7 +23,8 @@ def row(extreme, ending):
     figure = "" if ending.deviation is None or extreme.bound == 0 else f"{ending.deviation:.2g} of at most {extreme.bound:g}"
     message = "" if ending.how == "right" else ending.message
     message = message if len(message) <= 320 else message[:message.rfind(" ", 0, 320)] + " ..."
-    return f"| {cell(extreme.name)} | {ending.how} | {figure or cell(message)} |"
+    found = "; ".join(part for part in (figure, message) if part)
+    return f"| {cell(extreme.name)} | {ending.how} | {cell(found)} |"
 
 
 def write(path, pairs):

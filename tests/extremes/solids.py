@@ -61,6 +61,7 @@ def extremes():
         text, files, deviation = strip(bending=bending, stepping="subcycled")
         yield Extreme("elastic solids", f"strip with a bending stiffness of {bending:g} N m, sub-cycled", text,
                       files=files, deviation=deviation, bound=0.03)
-    for cells in (1, 2, 4):
+    for cells, ends, says in ((2, "refused", "columns of particles"), (4, "warned", "cells long"), (20, "right", "")):
         text, files, deviation = strip(cells=cells)
-        yield Extreme("particles across", f"strip of {cells} cells", text, files=files, deviation=deviation, bound=0.05)
+        yield Extreme("particles across", f"strip {cells} cells long", text, files=files, deviation=deviation, bound=0.06,
+                      ends=ends, says=says)

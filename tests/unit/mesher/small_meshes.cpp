@@ -114,6 +114,14 @@ TEST(FlapMesh, IsClampedAtItsRoot) {
     EXPECT_GT(smallest_distance(set), 0.5);
 }
 
+TEST(FlapMesh, OfFewCellsSwingsTooSlowly) {
+    const auto warnings = [](const Texts& texts) { return mesh_texts(texts).report.warnings; };
+    EXPECT_THAT(warnings(flap_channel.with("{2, 1, 0}", "{2, 0.5, 0}")),
+                testing::Contains(testing::AllOf(testing::HasSubstr("a curve of 'flap' is 4 cells long"),
+                                                 testing::HasSubstr("swings about 25 % too slowly"))));
+    EXPECT_THAT(warnings(flap_channel), testing::Not(testing::Contains(testing::HasSubstr("cells long"))));
+}
+
 TEST(FlapMesh, IsSeatedWhereItIsDrawnNearAWall) {
     // The lower row stands 0.11 m above the wall's first one, nearer than the contact range of 0.119 m.
     const Meshed meshed =

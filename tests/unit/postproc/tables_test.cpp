@@ -56,6 +56,15 @@ nlohmann::json written(const RunSummary& summary) {
     return nlohmann::json::parse(read_file(folder.path() / "out/summary.json"));
 }
 
+TEST(Summary, HasTheWarningsFromStartToEnd) {
+    const TemporaryFolder folder;
+    SummaryExtra extra;
+    extra.warnings = {"water: a gap of 1 spacings"};
+    write_summary(folder.path(), some_summary(), extra);
+    EXPECT_EQ(nlohmann::json::parse(read_file(folder.path() / "summary.json"))["warnings"],
+              nlohmann::json::array({"water: a gap of 1 spacings", "flow.largest_speed is too slow; give more"}));
+}
+
 TEST(Summary, HasTheEnergyOfSpheres) {
     EXPECT_FALSE(written(some_summary()).contains("energy"));
     RunSummary summary = some_summary();
@@ -170,12 +179,12 @@ TEST(MeasuresCsv, RowsThatDoNotFitAreRefused) {
 
 TEST(Summary, HasTheKeysThatScriptsWant) {
     const nlohmann::json json = written(some_summary());
-    for (const char* key : {"particles",   "steps",        "simulated_s",  "wall_s",       "particle_steps_per_s",
-                            "threads",     "ranks",        "dt_limits",    "ruling_limit", "conserved",
-                            "lost",        "measures",     "state_hash",   "title",        "version",
-                            "scene_hash",  "density_low",  "density_high", "sound_speed",  "seconds_by_stage",
-                            "interrupted", "files",        "vector_unit",  "rank_shares",  "density_drift",
-                            "warnings",    "largest_speed"})
+    for (const char* key : {"particles",     "steps",       "simulated_s",  "wall_s",       "particle_steps_per_s",
+                            "threads",       "ranks",       "dt_limits",    "ruling_limit", "conserved",
+                            "lost",          "measures",    "state_hash",   "title",        "version",
+                            "scene_hash",    "density_low", "density_high", "sound_speed",  "seconds_by_stage",
+                            "interrupted",   "files",       "processor_s",  "vector_unit",  "rank_shares",
+                            "density_drift", "warnings",    "largest_speed"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["particles"], (nlohmann::json{{"fluid", 1000}, {"rigid", 200}, {"elastic", 18}}));
     EXPECT_EQ(json["steps"], 4321);

@@ -290,6 +290,11 @@ TEST(Warnings, liquids_of_unlike_density_that_viscosity_hardly_damps) {
     scene.particles.spacing = 0.04;
     scene.numerics.scheme = FluidScheme::plain;
     EXPECT_FALSE(stirred_interface(scene, 9.81));
+    give(scene.parts.back().density, 90.0);
+    const auto stirred = stirred_interface(scene, 9.81);
+    ASSERT_TRUE(stirred);
+    EXPECT_THAT(stirred->text(), HasSubstr("part.oil.density is less than a tenth of that of 'water'"));
+    EXPECT_FALSE(stirred_interface(scene, 0));
 }
 
 }  // namespace
