@@ -102,8 +102,8 @@ std::vector<Row> made_rows() {
          },
          same(1, "of D dt / R^2, linear theory of the kernel"), "no species is stepped explicitly"},
         {"numerics.contact_step_factor", "contact", &Numerics::contact_step_factor,
-         [](const Scene& scene) { return *scene.contact.range > 0 && scene.may_have_elastic(); },
-         same(1, "of 2 / omega of the repulsion"), "no elastic solid has a contact"},
+         [](const Scene& scene) { return *scene.contact.range > 0 && scene.parts_of(PartKind::spheres).empty(); },
+         same(1, "of 2 / omega of the repulsion"), "contact.range is 0"},
         {"numerics.light_solid_step_factor", "light solids", &Numerics::light_solid_step_factor,
          [](const Scene& scene) {
              return has_fluid(scene) && scene.may_have_elastic() && *scene.numerics.scheme == FluidScheme::corrected;

@@ -65,7 +65,11 @@ Found of_parts(const DialScene& of, PartKind kind,
 
 /// Of a key that sets steps.
 std::function<std::optional<StatedLimit>(const DialScene&)> stated_of(const char* key) {
-    return [key](const DialScene& of) { return std::optional(step_margin(of.scene, key).stated); };
+    return [key](const DialScene& of) {
+        const std::vector<StepMargin> margins = step_margins(of.scene);
+        const auto found = std::ranges::find(margins, key, &StepMargin::key);
+        return found == margins.end() ? std::nullopt : std::optional(found->stated);
+    };
 }
 
 /// A key that sets the limit of one model: a dial where that limit rules the step, as nothing else is changed by it.

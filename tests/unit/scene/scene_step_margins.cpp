@@ -49,6 +49,9 @@ TEST(StepMargins, AreOfTheKeysThatSetStepsInTheScene) {
     EXPECT_THAT(keys_of(read_text(good_scene, {subcycled})), Contains("numerics.spring_step_factor"));
     EXPECT_THAT(keys_of(read_text(good_scene, {"numerics.viscosity_stepping=implicit", "contact.range=0"})),
                 ElementsAre(step_factor, "numerics.light_solid_step_factor", "numerics.density_diffusion_step_factor"));
+    EXPECT_THAT(keys_of(read_text(good_scene, {"part.leaflets.enabled=false"})),
+                Contains("numerics.contact_step_factor"))
+        << "walls repel, too";
     EXPECT_THROW(static_cast<void>(step_margin(read_text(good_scene), "numerics.spring_step_factor")),
                  std::out_of_range);
     EXPECT_THROW(static_cast<void>(step_margin(read_text(good_scene), "numerics.support")), std::out_of_range);
