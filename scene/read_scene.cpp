@@ -105,7 +105,7 @@ void read_key(Owner& owner, const Key<Owner>& key, const TomlNode* node, const s
         key.read(owner, *node, path);
     } else if (key.facts.fallback.presence == required) {
         throw InputError(table, "missing key: " + path, "add " + shown_key(key.facts.path) + ": " + key.facts.type);
-    } else if (key.facts.fallback.presence == Default::Presence::value) {
+    } else if (key.facts.fallback.presence != not_given) {
         key.read(owner, parse_toml_value(key.facts.fallback.at(*scene.quality, *scene.numerics.scheme), {}), path);
     }
 }

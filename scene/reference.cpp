@@ -30,6 +30,7 @@ std::string shown_default(const KeyFacts& key) {
         case Default::Presence::not_given:
             return "none";
         case Default::Presence::value:
+        case Default::Presence::unwritten:
             break;
     }
     const auto& [corrected, plain] = key.fallback.values;

@@ -84,7 +84,14 @@ struct Scene {
         Value<ViscosityStepping> viscosity_stepping = ViscosityStepping::explicitly;
         Value<double> viscosity_tolerance = 1e-6;  ///< implicit viscosity: relative error of the velocities [-]
         Value<SpringStepping> spring_stepping = SpringStepping::implicit;
-        Value<double> spring_step_factor = 0.5;  ///< fraction of the largest stable step of the springs [-]
+        Value<double> spring_step_factor = 0.5;   ///< fraction of the largest stable step of the springs [-]
+        Value<double> viscous_step_factor = 0.5;  ///< fraction of the kernel's linear limit of nu dt / R^2 [-]
+        Value<double> species_step_factor = 0.5;  ///< the same of D dt / R^2 [-]
+        Value<double> contact_step_factor = 0.5;  ///< fraction of 2 / omega of the repulsion [-]
+        /// dt (c0 + U) / R over sqrt(m / m_liquid) of the lightest elastic node [-]
+        Value<double> light_solid_step_factor = 0.4;
+        Value<double> density_diffusion_step_factor = 0.12;  ///< largest delta (c0 + U) dt / R [-]
+        Value<double> shifting_step_factor = 1.2;            ///< plain scheme: largest s c0 dt / R [-]
         Value<SpeciesStepping> species_stepping = SpeciesStepping::explicitly;
         Value<double> species_tolerance = 1e-8;  ///< implicit diffusion: relative error of the concentrations [-]
         Value<double> steps_per_contact = 30.0;  ///< spheres: steps in the shortest elastic impact [-]

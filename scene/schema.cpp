@@ -9,6 +9,7 @@
 #include "scene/reference_keys.hpp"
 #include "scene/solidify_keys.hpp"
 #include "scene/sphere_keys.hpp"
+#include "scene/step_margins.hpp"
 
 namespace dmp::scene {
 
@@ -282,13 +283,29 @@ std::vector<Key<Numerics>> numerics_keys() {
          "explicit steps."},
         {"spring_step_factor", &Numerics::spring_step_factor, number(fraction), "0.5",
          "Subcycled elastic solids: their time step as a fraction of the largest stable one."},
+        {"viscous_step_factor", &Numerics::viscous_step_factor, number(positive), unwritten("0.5"),
+         "Explicit viscosity: time step as a fraction of the largest stable one by the linear theory of the kernel."},
+        {"species_step_factor", &Numerics::species_step_factor, number(positive), unwritten("0.5"),
+         "Explicit diffusion of species: time step as a fraction of the largest stable one by the linear theory of the "
+         "kernel."},
+        {"contact_step_factor", &Numerics::contact_step_factor, number(positive), unwritten("0.5"),
+         "Repulsion of solids: time step as a fraction of 2 / omega of the stiffest contact."},
+        {"light_solid_step_factor", &Numerics::light_solid_step_factor, number(positive), unwritten("0.4"),
+         "Elastic solids lighter than the liquid: time step, in multiples of sqrt(m / m_liquid) R / (c0 + U) of the "
+         "lightest node."},
+        {"density_diffusion_step_factor", &Numerics::density_diffusion_step_factor, number(positive),
+         unwritten("0.12"),
+         "Largest density_diffusion times c0 dt / R; where step_factor would exceed it, steps are shorter."},
+        {"shifting_step_factor", &Numerics::shifting_step_factor, number(positive), unwritten("1.2"),
+         "With scheme = \"plain\": largest shifting times c0 dt / R; where step_factor would exceed it, steps are "
+         "shorter."},
         {"species_stepping", &Numerics::species_stepping, one_of<SpeciesStepping>(), "explicit",
          "Integration of the diffusion of species: \"explicit\", which limits the time step, or \"implicit\", which "
          "solves a linear system in each step."},
         {"species_tolerance", &Numerics::species_tolerance, number(between(1e-14, 0.01)), "1e-8",
          "Implicit diffusion: the iteration ends when the residual's estimate of the concentration error, divided "
          "by the concentrations, is below this."},
-        {"steps_per_contact", &Numerics::steps_per_contact, number(at_least(5)), ByQuality{"15", "30", "75"},
+        {"steps_per_contact", &Numerics::steps_per_contact, number(at_least(least_steps_per_contact)), ByQuality{"15", "30", "75"},
          "Spheres: number of time steps in the shortest elastic impact, if contact_step is \"auto\"."},
         {"contact_step", &Numerics::contact_step, quantity_or_auto("1 ns"), "auto",
          "Spheres: time step, at most a fifth of the shortest impact; \"auto\" derives it from steps_per_contact."},

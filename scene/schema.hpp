@@ -33,9 +33,10 @@ struct ByScheme {
     ByQuality corrected, plain;
 };
 
-/// Default of a key: the key is required, or may be left out without a value (not_given), or has a default value.
+/// Default of a key: the key is required, or may be left out without a value (not_given), or has a default value, which
+/// the resolved scene has or, of keys that are younger than scenes that must keep their hash, leaves out (unwritten).
 struct Default {
-    enum class Presence { required, not_given, value };
+    enum class Presence { required, not_given, value, unwritten };
     Presence presence = Presence::value;
     ByScheme values{"", ""};
 
@@ -47,10 +48,13 @@ struct Default {
     Default(Presence how) : presence(how) {}                      // NOLINT(google-explicit-constructor)
     Default(const char* text) : values{text, text} {}             // NOLINT(google-explicit-constructor)
     Default(const ByQuality& levels) : values{levels, levels} {}  // NOLINT(google-explicit-constructor)
-    Default(ByScheme schemes) : values(std::move(schemes)) {}     // NOLINT(google-explicit-constructor)
+    Default(Presence how, const char* text) : presence(how), values{text, text} {}
+    Default(ByScheme schemes) : values(std::move(schemes)) {}  // NOLINT(google-explicit-constructor)
 };
 inline constexpr auto required = Default::Presence::required;
 inline constexpr auto not_given = Default::Presence::not_given;
+/// A default value that the resolved scene leaves out.
+inline Default unwritten(const char* text) { return {Default::Presence::unwritten, text}; }
 
 /// Kinds of parts or measures that have a key; empty: all.
 using Kinds = std::vector<std::string>;
@@ -129,11 +133,13 @@ struct Key {
           read([member, type_for](Owner& owner, const TomlNode& node, const std::string& path) {
               detail::assign(owner.*member, type_for(owner).read(node, path), node.location);
           }),
-          write([member, type_for, optional = fallback.presence == not_given](const Owner& owner) {
+          write([member, type_for, presence = fallback.presence](const Owner& owner) {
               const auto& type_now = type_for(owner);
               using T = std::decay_t<decltype(type_now.read(TomlNode{}, ""))>;
               const T& value = owner.*member;
-              const bool left_out = optional && !detail::is_given(owner.*member) && detail::is_nothing(value);
+              const bool is_nothing = presence == not_given && detail::is_nothing(value);
+              const bool left_out =
+                  !detail::is_given(owner.*member) && (is_nothing || presence == Default::Presence::unwritten);
               return left_out ? std::string{} : type_now.write(value);
           }) {}
 

@@ -25,7 +25,7 @@ constexpr const char* other_motion = "the state holds how far the parts that mov
 bool is_in(Names names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
 /// Of [flow], [contact] and [numerics].
-constexpr std::array<std::string_view, 15> free_keys{"flow.acceleration",
+constexpr std::array<std::string_view, 21> free_keys{"flow.acceleration",
                                                      "flow.pressure_gradient",
                                                      "flow.largest_speed",
                                                      "flow.largest_pressure",
@@ -37,6 +37,12 @@ constexpr std::array<std::string_view, 15> free_keys{"flow.acceleration",
                                                      "numerics.viscosity_tolerance",
                                                      "numerics.step_factor",
                                                      "numerics.spring_step_factor",
+                                                     "numerics.viscous_step_factor",
+                                                     "numerics.species_step_factor",
+                                                     "numerics.contact_step_factor",
+                                                     "numerics.light_solid_step_factor",
+                                                     "numerics.density_diffusion_step_factor",
+                                                     "numerics.shifting_step_factor",
                                                      "numerics.species_tolerance",
                                                      "numerics.steps_per_contact",
                                                      "numerics.contact_step"};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "base/number_text.hpp"
@@ -59,36 +60,80 @@ StatedLimit largest_step_factor(const Scene& scene) {
     unlisted_value(*scene.numerics.scheme);
 }
 
+bool has_fluid(const Scene& scene) { return !scene.parts_of(PartKind::fluid).empty(); }
+
+/// Solids, in which the velocity is extrapolated, raise the largest eigenvalue: measured, it breaks between 0.6 and
+/// 0.84 (docs/limits.md).
+StatedLimit largest_viscous_factor(const Scene& scene) {
+    const bool has_solids = scene.may_have_elastic() || !scene.parts_of(PartKind::rigid).empty();
+    if (has_solids) return {0.65, "of the linear limit of nu dt / R^2, measured, with solids"};
+    return {1, "of nu dt / R^2, linear theory of the kernel"};
+}
+
+using Limits = std::function<StatedLimit(const Scene&)>;
+
+/// Of all scenes.
+Limits same(double value, const std::string& formula) {
+    return [limit = StatedLimit{value, formula}](const Scene& /*all*/) { return limit; };
+}
+
 /// A key that sets the length of steps.
 struct Row {
-    const char* key;
-    const char* model;
+    std::string key;
+    std::string model;
     Value<double> Numerics::*member;
-    bool is_least;
-    bool (*is_used)(const Scene&);
-    StatedLimit (*stated)(const Scene&);
+    std::function<bool(const Scene&)> is_used;
+    Limits stated;
+    std::string idle;  ///< why it is not used, where it is not; "": told elsewhere
+    bool is_least = false;
 };
 
-const Row all_rows[] = {
-    {"numerics.step_factor", "sound", &Numerics::step_factor, false,
-     [](const Scene& scene) { return !scene.parts_of(PartKind::fluid).empty(); }, largest_step_factor},
-    {"numerics.spring_step_factor", "", &Numerics::spring_step_factor, false,
-     [](const Scene& scene) {
-         return scene.may_have_elastic() && *scene.numerics.spring_stepping == SpringStepping::subcycled;
-     },
-     [](const Scene& /*the same of all*/) {
-         return StatedLimit{1, "2 / omega_max of the initial lattice"};
-     }},
-    {"numerics.steps_per_contact", "", &Numerics::steps_per_contact, true,
-     [](const Scene& scene) { return !scene.parts_of(PartKind::spheres).empty() && *scene.numerics.contact_step == 0; },
-     [](const Scene& /*the same of all*/) {
-         return StatedLimit{least_steps_per_contact, "the least number that is accepted"};
-     }},
-};
+std::vector<Row> made_rows() {
+    return {
+        {"numerics.step_factor", "sound", &Numerics::step_factor, has_fluid, largest_step_factor, ""},
+        {"numerics.viscous_step_factor", "viscosity", &Numerics::viscous_step_factor,
+         [](const Scene& scene) {
+             return has_fluid(scene) && *scene.numerics.viscosity_stepping == ViscosityStepping::explicitly;
+         },
+         largest_viscous_factor, "no viscosity is stepped explicitly"},
+        {"numerics.species_step_factor", "species", &Numerics::species_step_factor,
+         [](const Scene& scene) {
+             return !scene.species.empty() && *scene.numerics.species_stepping == SpeciesStepping::explicitly;
+         },
+         same(1, "of D dt / R^2, linear theory of the kernel"), "no species is stepped explicitly"},
+        {"numerics.contact_step_factor", "contact", &Numerics::contact_step_factor,
+         [](const Scene& scene) { return *scene.contact.range > 0 && scene.parts_of(PartKind::spheres).empty(); },
+         same(1, "of 2 / omega of the repulsion"), "contact.range is 0"},
+        {"numerics.light_solid_step_factor", "light solids", &Numerics::light_solid_step_factor,
+         [](const Scene& scene) {
+             return has_fluid(scene) && scene.may_have_elastic() && *scene.numerics.scheme == FluidScheme::corrected;
+         },
+         same(0.6, "0.6 sqrt(m / m_liquid) R / (c0 + U), measured"),
+         "it is of elastic solids in a fluid with scheme = \"corrected\""},
+        {"numerics.density_diffusion_step_factor", "density diffusion", &Numerics::density_diffusion_step_factor,
+         [](const Scene& scene) { return has_fluid(scene) && *scene.numerics.density_diffusion > 0; },
+         same(0.15, "delta (c0 + U) dt / R = 0.15, measured"), "there is no density diffusion"},
+        {"numerics.spring_step_factor", "", &Numerics::spring_step_factor,
+         [](const Scene& scene) {
+             return scene.may_have_elastic() && *scene.numerics.spring_stepping == SpringStepping::subcycled;
+         },
+         same(1, "2 / omega_max of the initial lattice"), ""},
+        {"numerics.steps_per_contact", "", &Numerics::steps_per_contact,
+         [](const Scene& scene) {
+             return !scene.parts_of(PartKind::spheres).empty() && *scene.numerics.contact_step == 0;
+         },
+         same(least_steps_per_contact, "the least number that is accepted"), "", true},
+    };
+}
+
+const std::vector<Row>& all_rows() {
+    static const std::vector<Row> rows = made_rows();
+    return rows;
+}
 
 const Row& row_of(const std::string& key) {
-    const auto* const found = std::ranges::find(all_rows, key, &Row::key);
-    if (found == std::end(all_rows)) throw std::out_of_range(key + " sets no steps");
+    const auto found = std::ranges::find(all_rows(), key, &Row::key);
+    if (found == all_rows().end()) throw std::out_of_range(key + " sets no steps");
     return *found;
 }
 
@@ -115,9 +160,18 @@ double StepMargin::with_least_margin() const {
 
 std::vector<StepMargin> step_margins(const Scene& scene) {
     std::vector<StepMargin> margins;
-    for (const Row& row : all_rows)
+    for (const Row& row : all_rows())
         if (row.is_used(scene)) margins.push_back(margin_of(scene, row));
     return margins;
+}
+
+std::vector<IdleKey> idle_step_keys(const Scene& scene) {
+    std::vector<IdleKey> idle;
+    for (const Row& row : all_rows())
+        if (const Value<double>& value = scene.numerics.*row.member;
+            !row.idle.empty() && value.given() && !row.is_used(scene))
+            idle.push_back({row.key, value.location, row.idle});
+    return idle;
 }
 
 StepMargin step_margin(const Scene& scene, const std::string& key) {
@@ -133,8 +187,8 @@ void lower_defaults(Scene& scene) {
 }
 
 std::string lowered_text(const Scene& scene, const std::string& key) {
-    const auto* const row = std::ranges::find(all_rows, key, &Row::key);
-    if (row == std::end(all_rows) || !row->is_used(scene)) return "";
+    const auto row = std::ranges::find(all_rows(), key, &Row::key);
+    if (row == all_rows().end() || !row->is_used(scene)) return "";
     const StepMargin margin = margin_of(scene, *row);
     const std::string usual = default_text(scene, key);
     if (margin.own.given() || number_text(*margin.own, 9) == number_text(std::stod(usual), 9)) return "";

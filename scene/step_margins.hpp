@@ -40,6 +40,16 @@ inline constexpr double least_steps_per_contact = 5;
 /// step_factor's is that of fluid at rest, whose steps are the longest: c0 dt / R = step_factor / (1 + U / c0).
 [[nodiscard]] std::vector<StepMargin> step_margins(const Scene& scene);
 
+/// A key that is given for nothing.
+struct IdleKey {
+    std::string key;
+    SourceLocation location;
+    std::string reason;  ///< "no viscosity is stepped explicitly"
+};
+
+/// Keys that set steps of models that the scene does not have.
+[[nodiscard]] std::vector<IdleKey> idle_step_keys(const Scene& scene);
+
 /// Of one key; throws std::out_of_range where it sets no steps in this scene.
 [[nodiscard]] StepMargin step_margin(const Scene& scene, const std::string& key);
 

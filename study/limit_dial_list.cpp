@@ -14,6 +14,7 @@ namespace {
 
 using Keys = std::vector<DialKey>;
 using Found = std::vector<Keys>;
+using Numerics = decltype(Scene::numerics);
 
 const std::vector<DialSide> up{DialSide::up}, down{DialSide::down}, both{DialSide::up, DialSide::down};
 
@@ -64,7 +65,25 @@ Found of_parts(const DialScene& of, PartKind kind,
 
 /// Of a key that sets steps.
 std::function<std::optional<StatedLimit>(const DialScene&)> stated_of(const char* key) {
-    return [key](const DialScene& of) { return std::optional(step_margin(of.scene, key).stated); };
+    return [key](const DialScene& of) {
+        const std::vector<StepMargin> margins = step_margins(of.scene);
+        const auto found = std::ranges::find(margins, key, &StepMargin::key);
+        return found == margins.end() ? std::nullopt : std::optional(found->stated);
+    };
+}
+
+/// A key that sets the limit of one model: a dial where that limit rules the step, as nothing else is changed by it.
+DialRow of_ruling_limit(const char* what, const char* model, const char* key, Value<double> Numerics::*member,
+                        bool has_stated = true) {
+    const auto found = [model, key, member](const DialScene& of) {
+        const bool rules = std::ranges::any_of(of.facts.step_limits, [&](const auto& limit) {
+            return limit.first.starts_with(model) && limit.second <= of.facts.dt * (1 + 1e-9);
+        });
+        return one_if(rules && !has_spheres(of), key_of(key, of.scene.numerics.*member));
+    };
+    DialRow row{what, up, false, found, {{model, 1}}, true};
+    if (has_stated) row.stated = stated_of(key);
+    return row;
 }
 
 /// The species' diffusivities, all by the same factor.
@@ -169,6 +188,18 @@ std::vector<DialRow> rows() {
          {},
          false,
          stated_of("numerics.spring_step_factor")},
+        of_ruling_limit("time step of explicit viscosity, as a part of the kernel's linear limit", "viscosity",
+                        "numerics.viscous_step_factor", &Numerics::viscous_step_factor),
+        of_ruling_limit("time step of explicit diffusion, as a part of the kernel's linear limit", "species",
+                        "numerics.species_step_factor", &Numerics::species_step_factor),
+        of_ruling_limit("time step of the repulsion, as a part of 2 / omega", "contact", "numerics.contact_step_factor",
+                        &Numerics::contact_step_factor),
+        of_ruling_limit("time step of light solids, in multiples of sqrt(m / m_liquid) R / (c0 + U)", "light solids",
+                        "numerics.light_solid_step_factor", &Numerics::light_solid_step_factor),
+        of_ruling_limit("largest density diffusion in a step, delta (c0 + U) dt / R", "density diffusion",
+                        "numerics.density_diffusion_step_factor", &Numerics::density_diffusion_step_factor),
+        of_ruling_limit("largest shifting in a step, s c0 dt / R", "shifting", "numerics.shifting_step_factor",
+                        &Numerics::shifting_step_factor, false),
         {"range of the repulsion, in spacings", both, false,
          [](const DialScene& of) {
              return one_if(of.facts.contact_strength > 0 && of.scene.may_have_elastic(),

@@ -25,10 +25,10 @@ inline double contact_rate(double stiffness, double inverse_mass, double inverse
     return stiffness * (inverse_mass + std::sqrt(inverse_mass * inverse_mass_of_other));
 }
 
-/// Largest stable step [s] for a bound on the square of the highest frequency [1/s^2]: half of 2 / omega, since a
-/// contact becomes stiffer during a step.
+/// Largest stable step [s] for a bound on the square of the highest frequency [1/s^2]: 2 / omega; a contact
+/// becomes stiffer during a step.
 inline double contact_step_limit(double largest_rate) {
-    return largest_rate > 0 ? 0.5 * 2 / std::sqrt(largest_rate) : std::numeric_limits<double>::infinity();
+    return largest_rate > 0 ? 2 / std::sqrt(largest_rate) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace dmp::models

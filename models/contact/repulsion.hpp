@@ -33,10 +33,10 @@ struct Repulsion {
         return strength * (q6 * q6 / 12 - q6 / 6 + 1.0 / 12);
     }
 
-    /// Largest stable step [s]: half of 2 / omega for the stiffness 6 K / r*^2 at first touch and the lighter mass of
+    /// Largest stable step [s]: 2 / omega for the stiffness 6 K / r*^2 at first touch and the lighter mass of
     /// the pair, with both particles free.
     [[nodiscard]] double step_limit(double range, double lightest_mass) const {
-        return 0.5 * 2 / std::sqrt(2 * 6 * strength / (range * range) / lightest_mass);
+        return 2 / std::sqrt(2 * 6 * strength / (range * range) / lightest_mass);
     }
 };
 

@@ -139,10 +139,13 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
         usual.shifting = 0.2;
         usual_range = 0.7;
     }
+    std::vector<std::pair<double, std::string>> causes;  // with how likely each is
     for (const StepMargin& margin : step_margins(scene_))
         if (margin.key == "numerics.step_factor")
             usual.step_factor = std::min(*usual.step_factor, margin.with_least_margin());
-    std::vector<std::pair<double, std::string>> causes;  // with how likely each is
+        else if (!margin.model.empty() && margin.own.given() && margin.is_small())
+            causes.emplace_back(5.5, setting(margin.key, *margin.own) + " is too large; its stated limit is " +
+                                         number_text(margin.stated.value, 3));
 
     // A run that breaks is slow in most places. All of it fast: that is the drive.
     const double expected =

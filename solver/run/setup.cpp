@@ -227,6 +227,13 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.step_factor = scene.numerics.step_factor;
     scales.shifting = settings.corrected ? 0 : settings.shifting;  // never beyond its limit
     scales.density_diffusion = settings.density.diffusion;
+    const auto& numerics = scene.numerics;
+    scales.factors = {.viscous = numerics.viscous_step_factor,
+                      .species = numerics.species_step_factor,
+                      .contact = numerics.contact_step_factor,
+                      .light_solid = numerics.light_solid_step_factor,
+                      .density_diffusion = numerics.density_diffusion_step_factor,
+                      .shifting = numerics.shifting_step_factor};
     scales.drive_time = drive_time(scene, set);
     scales.at_rest = is_at_rest(scene);
     if (settings.corrected) scales.lightest_solid = lightest_solid(scene, set, settings);

@@ -9,6 +9,7 @@
 #include "base/number_text.hpp"
 #include "base/unlisted_value.hpp"
 #include "scene/measure_subject.hpp"
+#include "scene/step_margins.hpp"
 #include "solver/forcing/driven.hpp"
 
 namespace dmp::solver {
@@ -35,6 +36,8 @@ class Warnings {
         about_joins();
         about_measures();
         about_output();
+        for (const IdleKey& idle : idle_step_keys(scene_))
+            add(idle.key, idle.location, "has no effect: " + idle.reason, "leave it out");
         return std::move(found_);
     }
 
@@ -82,6 +85,9 @@ class Warnings {
                 "is below 2.9 spacings: particles hold on to their lattice, flows are slowed, and more particles do "
                 "not cure it (docs/plain_scheme.md)",
                 "take 3 or more");
+        if (*numerics.scheme == FluidScheme::corrected)
+            has_no_effect("numerics.shifting_step_factor", numerics.shifting_step_factor,
+                          "with scheme = \"corrected\" shifting sets no limit of the step");
         if (fluid_) return about_shifting();
         const std::string reason = "no part is a fluid";
         if (*numerics.density_diffusion > 0)

@@ -49,6 +49,10 @@ Warning small_margin(const StepMargin& key, double margin) {
 void add_margins(Plan& plan, const Scene& scene) {
     for (const StepMargin& key : step_margins(scene)) {
         const std::optional<double> held = key.model.empty() ? 1.0 : held_shorter(plan, key.model);
+        if (!held && key.own.given())
+            plan.warnings.push_back({key.key, key.own.location,
+                                     "has no effect: the steps of this scene have no limit by " + key.model,
+                                     "leave it out"});
         if (!held) continue;
         const double margin = key.margin() * *held;
         plan.margins.push_back({key.key, *key.own, key.stated.value, key.stated.formula, margin, *held > 1});

@@ -7,15 +7,18 @@
 namespace dmp::solver {
 
 StepLimit viscous_step_limit(const StepScales& scales) {
-    // Half of the linear limit: walls with extrapolated velocity raise the largest eigenvalue.
-    return {"viscosity", 0.5 * scales.viscous_limit * scales.support * scales.support / scales.kinematic_viscosity,
-            "half of the kernel's linear limit of nu dt / R^2"};
+    // Half of the linear limit by default: walls with extrapolated velocity raise the largest eigenvalue.
+    return {
+        "viscosity",
+        scales.factors.viscous * scales.viscous_limit * scales.support * scales.support / scales.kinematic_viscosity,
+        "viscous_step_factor of the kernel's linear limit of nu dt / R^2"};
 }
 
 StepLimit species_step_limit(const StepScales& scales) {
-    // Half of the linear limit, as for viscosity: surfaces that are held at a concentration raise the eigenvalue.
-    return {"species", 0.5 * scales.diffusion_limit * scales.support * scales.support / scales.diffusivity,
-            "half of the kernel's linear limit of D dt / R^2"};
+    // As for viscosity: surfaces that are held at a concentration raise the eigenvalue.
+    return {"species",
+            scales.factors.species * scales.diffusion_limit * scales.support * scales.support / scales.diffusivity,
+            "species_step_factor of the kernel's linear limit of D dt / R^2"};
 }
 
 namespace {
@@ -43,10 +46,10 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
     if (scales.lightest_solid < 1 - 1e-9) {  // not by rounding
         // Measured: light nodes coupled to the fluid's pressure are stable at 0.6 sqrt(m / m_liquid) and unstable at
         // 0.7, from 0.012 to 0.25 of the liquid's mass.
-        limits.push_back(
-            {"light solids",
-             0.4 * std::sqrt(scales.lightest_solid) * scales.support / (scales.sound_speed + largest_speed),
-             "0.4 sqrt(m / m_liquid) R / (c0 + U) of the lightest elastic node"});
+        limits.push_back({"light solids",
+                          scales.factors.light_solid * std::sqrt(scales.lightest_solid) * scales.support /
+                              (scales.sound_speed + largest_speed),
+                          "light_solid_step_factor sqrt(m / m_liquid) R / (c0 + U) of the lightest elastic node"});
         if (scales.kinematic_viscosity > 0 && !scales.implicit_viscosity)
             limits.push_back({"viscosity at light solids", scales.lightest_solid * viscous_step_limit(scales).dt,
                               "the viscous limit times m / m_liquid of the lightest elastic node"});
@@ -55,16 +58,18 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
         limits.push_back({"body force", 0.25 * std::sqrt(0.5 * scales.support / acceleration), "0.25 sqrt(R / 2g)"});
     if (scales.shifting > 0 && largest_speed > 0)
         // A particle may be moved by shifting no further than the sum's own scale allows.
-        limits.push_back(
-            {"shifting", 1.2 * scales.support / (scales.shifting * scales.sound_speed), "s c0 dt / R <= 1.2"});
+        limits.push_back({"shifting", scales.factors.shifting * scales.support / (scales.shifting * scales.sound_speed),
+                          "s c0 dt / R <= shifting_step_factor"});
     add_drive_limit(limits, scales.drive_time);
     // Measured: stable at delta c0 dt / R = 0.15, unstable from 0.2 (corrected scheme) or 0.2 to 0.25 (plain).
-    if (scales.density_diffusion * scales.step_factor > 0.12)
+    if (scales.density_diffusion * scales.step_factor > scales.factors.density_diffusion)
         limits.push_back({"density diffusion",
-                          0.12 * scales.support / (scales.density_diffusion * (scales.sound_speed + largest_speed)),
-                          "delta (c0 + U) dt / R <= 0.12"});
+                          scales.factors.density_diffusion * scales.support /
+                              (scales.density_diffusion * (scales.sound_speed + largest_speed)),
+                          "delta (c0 + U) dt / R <= density_diffusion_step_factor"});
     if (scales.contact_limit > 0)
-        limits.push_back({"contact", scales.contact_limit, "half of 2 / omega of the repulsion, at touch or nearer"});
+        limits.push_back({"contact", scales.factors.contact * scales.contact_limit,
+                          "contact_step_factor of 2 / omega of the repulsion, at touch or nearer"});
     return limits;
 }
 

@@ -9,6 +9,11 @@
 
 namespace dmp::solver {
 
+/// Parts of the models' limits that steps may take: keys of [numerics] (scene.hpp).
+struct StepFactors {
+    double viscous = 0.5, species = 0.5, contact = 0.5, light_solid = 0.4, density_diffusion = 0.12, shifting = 1.2;
+};
+
 /// What the fluid step may depend on.
 struct StepScales {
     double support = 0;                                           ///< R [m]
@@ -20,13 +25,14 @@ struct StepScales {
     double shifting = 0;                                          ///< s [-]
     double density_diffusion = 0;                                 ///< delta [-]
     double drive_time = std::numeric_limits<double>::infinity();  ///< in which what drives the scene changes [s]
-    double contact_limit = 0;                                     ///< [s]; 0: no contact
+    double contact_limit = 0;                                     ///< 2 / omega [s]; 0: no contact
     double lightest_solid = 1;  ///< least mass of an elastic node over that of the liquid it displaces, at most 1 [-]
     bool implicit_viscosity = false;
     double diffusivity = 0;      ///< largest of any species [m^2/s]
     double diffusion_limit = 0;  ///< of the kernel, D dt / R^2 [-]
     bool implicit_species = false;
     bool at_rest = false;  ///< only species are stepped
+    StepFactors factors;
 };
 
 /// Of explicit viscosity.

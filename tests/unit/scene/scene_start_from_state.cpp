@@ -28,9 +28,9 @@ TEST(StartFromState, MayChangeWhatDrivesWhatResistsAndWhatIsWritten) {
         fixed_keys("vein_valve",
                    {"title=another", "flow.pressure_gradient=[\"-1 Pa/m\", 0]", "part.blood.viscosity=\"4 mPa*s\"",
                     "part.leaflets.bending_stiffness=\"2e-6 N*m^2\"", "part.leaflets.bond_damping=0.1",
-                    "numerics.step_factor=0.4", "numerics.viscosity_stepping=implicit",
-                    "numerics.sound_speed=\"4 m/s\"", "run.duration=\"9 s\"", "output.every=\"1 ms\"",
-                    "output.average_from=\"1 s\"", "measure.tip_gap.name=gap"}),
+                    "numerics.step_factor=0.4", "numerics.viscous_step_factor=0.4",
+                    "numerics.viscosity_stepping=implicit", "numerics.sound_speed=\"4 m/s\"", "run.duration=\"9 s\"",
+                    "output.every=\"1 ms\"", "output.average_from=\"1 s\"", "measure.tip_gap.name=gap"}),
         IsEmpty());
 }
 

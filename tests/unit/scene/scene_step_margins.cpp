@@ -11,8 +11,10 @@
 namespace dmp::tests::scene_step_margins_tests {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string step_factor = "numerics.step_factor", subcycled = "numerics.spring_stepping=subcycled";
 
@@ -41,11 +43,26 @@ TEST(StepMargins, AreToTheLimitsOfTheScheme) {
 }
 
 TEST(StepMargins, AreOfTheKeysThatSetStepsInTheScene) {
-    EXPECT_THAT(keys_of(read_text(good_scene)), ElementsAre(step_factor));
-    EXPECT_THAT(keys_of(read_text(good_scene, {subcycled})), ElementsAre(step_factor, "numerics.spring_step_factor"));
+    const std::vector<std::string> usual{step_factor, "numerics.viscous_step_factor", "numerics.contact_step_factor",
+                                         "numerics.light_solid_step_factor", "numerics.density_diffusion_step_factor"};
+    EXPECT_EQ(keys_of(read_text(good_scene)), usual);
+    EXPECT_THAT(keys_of(read_text(good_scene, {subcycled})), Contains("numerics.spring_step_factor"));
+    EXPECT_THAT(keys_of(read_text(good_scene, {"numerics.viscosity_stepping=implicit", "contact.range=0"})),
+                ElementsAre(step_factor, "numerics.light_solid_step_factor", "numerics.density_diffusion_step_factor"));
+    EXPECT_THAT(keys_of(read_text(good_scene, {"part.leaflets.enabled=false"})),
+                Contains("numerics.contact_step_factor"))
+        << "walls repel, too";
     EXPECT_THROW(static_cast<void>(step_margin(read_text(good_scene), "numerics.spring_step_factor")),
                  std::out_of_range);
     EXPECT_THROW(static_cast<void>(step_margin(read_text(good_scene), "numerics.support")), std::out_of_range);
+}
+
+TEST(StepMargins, OfExplicitViscosityDependOnSolids) {
+    const auto of = [](const Scene& scene) { return step_margin(scene, "numerics.viscous_step_factor").stated.value; };
+    Scene scene = read_text(good_scene);
+    EXPECT_EQ(of(scene), 0.65);
+    std::erase_if(scene.parts, [](const Part& part) { return *part.kind != PartKind::fluid; });
+    EXPECT_EQ(of(scene), 1);
 }
 
 TEST(StepMargins, OfALeastValueGrowWithIt) {
@@ -53,6 +70,36 @@ TEST(StepMargins, OfALeastValueGrowWithIt) {
     EXPECT_NEAR(steps.margin(), 1.1, 1e-12);
     EXPECT_TRUE(steps.is_small());
     EXPECT_NEAR(steps.with_least_margin(), 6, 1e-12);
+}
+
+TEST(StepMargins, OfAllDefaultsAreLargeEnough) {
+    for (const std::string quality : {"draft", "standard", "fine"})
+        for (const std::string scheme : {"corrected", "plain"})
+            for (const StepMargin& margin :
+                 step_margins(read_text(good_scene, {"quality=" + quality, "numerics.scheme=" + scheme, subcycled})))
+                EXPECT_FALSE(margin.is_small()) << margin.key << ' ' << quality << ' ' << scheme;
+}
+
+TEST(StepKeys, AreNotWrittenWhereTheyAreNotGiven) {
+    const Scene usual = read_text(good_scene);
+    EXPECT_EQ(*usual.numerics.viscous_step_factor, 0.5);
+    EXPECT_FALSE(usual.numerics.viscous_step_factor.given());
+    EXPECT_THAT(resolved_scene(usual), Not(HasSubstr("viscous_step_factor")));
+    const Scene given = read_text(good_scene, {"numerics.viscous_step_factor=0.5"});
+    EXPECT_THAT(resolved_scene(given), HasSubstr("\nviscous_step_factor = 0.5\n"));
+    EXPECT_EQ(resolved_scene(read_text(resolved_scene(given))), resolved_scene(given));
+    EXPECT_THAT(explain_key("numerics.light_solid_step_factor"), HasSubstr("default: 0.4"));
+    EXPECT_THROW(read_text(good_scene, {"numerics.species_step_factor=0"}), InputError);
+}
+
+TEST(StepKeys, OfModelsThatTheSceneHasNotAreIdle) {
+    const Scene scene = read_text(good_scene, {"numerics.viscosity_stepping=implicit",
+                                               "numerics.viscous_step_factor=0.4", "numerics.contact_step_factor=0.4"});
+    const auto idle = idle_step_keys(scene);
+    ASSERT_EQ(idle.size(), 1U);
+    EXPECT_EQ(idle[0].key, "numerics.viscous_step_factor");
+    EXPECT_EQ(idle[0].location.text(), "--set numerics.viscous_step_factor=0.4");
+    EXPECT_EQ(idle[0].reason, "no viscosity is stepped explicitly");
 }
 
 TEST(LoweredDefaults, KeepTheirMargin) {

@@ -28,8 +28,8 @@ TEST(ContactStiffness, is_the_slope_of_the_force) {
     EXPECT_EQ(contact_stiffness(repulsion, range * range, range), 0);
     EXPECT_EQ(contact_stiffness(repulsion, 1, range), 0);
     EXPECT_EQ(contact_step_limit(0), std::numeric_limits<double>::infinity());
-    // One mass on one spring: half of 2 / omega.
-    EXPECT_DOUBLE_EQ(contact_step_limit(contact_rate(8, 1 / 2.0, 0)), 1 / 2.0);
+    // One mass on one spring: 2 / omega.
+    EXPECT_DOUBLE_EQ(contact_step_limit(contact_rate(8, 1 / 2.0, 0)), 1);
     // Two equal masses that are free: omega^2 = 2 k / m.
     EXPECT_DOUBLE_EQ(contact_rate(8, 1 / 2.0, 1 / 2.0), 2 * 8 / 2.0);
 }

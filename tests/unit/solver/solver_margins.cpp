@@ -63,14 +63,29 @@ TEST(Margins, AreLargerWhereAnotherLimitAlwaysKeepsTheStepsShorter) {
     const Plan at_times = plan_of(scene, {{"sound", 1e-5, ""}, {"body force", 5e-6, ""}, {"driving", 5e-6, ""}});
     EXPECT_FALSE(at_times.margins[0].is_by_other) << "the force may be less at another time";
     EXPECT_THAT(at_times.warnings, SizeIs(1));
-    EXPECT_THAT(plan_of(scene, {{"species", 1e-5, ""}}).margins, IsEmpty()) << "nothing moves: sound sets no step";
+    const Plan at_rest = plan_of(scene, {{"species", 1e-5, ""}});
+    EXPECT_THAT(at_rest.margins, IsEmpty()) << "nothing moves: sound sets no step";
+    ASSERT_THAT(at_rest.warnings, SizeIs(1));
+    EXPECT_THAT(at_rest.warnings[0].text(), HasSubstr("numerics.step_factor has no effect: "));
+}
+
+TEST(Margins, OfAnExplicitModelAreToItsOwnLimit) {
+    Scene scene = with_step_factor(0.5);
+    scene.numerics.viscous_step_factor = {0.9, {"scene.toml", 8, 9}};
+    const Plan ruled = plan_of(scene, {{"sound", 1e-5, ""}, {"viscosity", 5e-6, ""}});
+    ASSERT_THAT(ruled.margins, SizeIs(2));
+    EXPECT_EQ(ruled.margins[1].key, "numerics.viscous_step_factor");
+    EXPECT_NEAR(ruled.margins[1].times, 1 / 0.9, 1e-12);
+    ASSERT_THAT(ruled.warnings, SizeIs(1));
+    EXPECT_EQ(ruled.warnings[0].key, "numerics.viscous_step_factor");
+    EXPECT_THAT(plan_of(scene, {{"sound", 1e-6, ""}, {"viscosity", 5e-6, ""}}).warnings, IsEmpty());
 }
 
 TEST(Margins, AreInThePlanOfARun) {
     SceneAndParticles made = endless_water();
     made.scene.numerics.step_factor = {0.65, {"scene.toml", 7, 9}};
     const Plan plan = Simulation(made.scene, made.particles).plan();
-    ASSERT_THAT(plan.margins, SizeIs(1));
+    ASSERT_FALSE(plan.margins.empty());
     EXPECT_NEAR(plan.margins[0].times, 0.7 / 0.65, 1e-12);
     std::vector<std::string> keys;
     for (const Warning& warning : plan.warnings) keys.push_back(warning.key);

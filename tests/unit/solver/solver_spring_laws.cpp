@@ -97,12 +97,12 @@ TEST(Repulsion, does_the_same_on_lanes) {
     }
 }
 
-TEST(Repulsion, step_limit_is_half_of_that_of_the_stiffness_at_touch) {
+TEST(Repulsion, step_limit_is_that_of_the_stiffness_at_touch) {
     const Repulsion law{2.5};
     const double range = 0.5, mass = 0.02, d = 1e-6;
     const double stiffness = (law.law(V2{{range - d, 0}}, range)[0]) / d;
     const double omega = std::sqrt(2 * stiffness / mass);  // both sides free
-    EXPECT_NEAR(law.step_limit(range, mass), 1 / omega, 1e-4 / omega);
+    EXPECT_NEAR(law.step_limit(range, mass), 2 / omega, 2e-4 / omega);
 }
 
 TEST(BondForce, is_the_slope_of_its_energy) {

@@ -36,7 +36,7 @@ StepScales scales() {
     s.viscous_limit = 0.07;
     s.step_factor = 0.3;
     s.shifting = 4;
-    s.contact_limit = 1e-3;
+    s.contact_limit = 2e-3;
     return s;
 }
 
@@ -49,6 +49,29 @@ TEST(StepLimits, by_their_formulas) {
     EXPECT_NEAR(limit_of("shifting", limits), 1.2 * 3e-4 / (4 * 2), 1e-15);
     EXPECT_EQ(limit_of("contact", limits), 1e-3);
     for (const StepLimit& limit : limits) EXPECT_FALSE(limit.formula.empty()) << limit.model;
+}
+
+TEST(StepLimits, are_parts_of_what_is_stable) {
+    StepScales s = scales();
+    s.diffusivity = 1e-7;
+    s.diffusion_limit = 0.08;
+    s.lightest_solid = 0.25;
+    s.density_diffusion = 1;
+    const auto usual = fluid_step_limits(s, 0.5, 0);
+    s.factors = {
+        .viscous = 1, .species = 0.25, .contact = 0.75, .light_solid = 0.6, .density_diffusion = 0.15, .shifting = 2.4};
+    const auto changed = fluid_step_limits(s, 0.5, 0);
+    const auto ratio = [&](const std::string& model) { return limit_of(model, changed) / limit_of(model, usual); };
+    EXPECT_NEAR(ratio("viscosity"), 2, 1e-12);
+    EXPECT_NEAR(ratio("viscosity at light solids"), 2, 1e-12);
+    EXPECT_NEAR(ratio("species"), 0.5, 1e-12);
+    EXPECT_NEAR(ratio("contact"), 1.5, 1e-12);
+    EXPECT_NEAR(ratio("light solids"), 1.5, 1e-12);
+    EXPECT_NEAR(ratio("density diffusion"), 1.25, 1e-12);
+    EXPECT_NEAR(ratio("shifting"), 2, 1e-12);
+    EXPECT_EQ(ratio("sound"), 1);
+    s.factors.density_diffusion = 0.4;
+    EXPECT_EQ(limit_of("density diffusion", fluid_step_limits(s, 0.5, 0)), -1) << "sound rules";
 }
 
 TEST(StepLimits, between_liquids_of_unlike_density_sound_needs_shorter_steps) {

@@ -153,6 +153,11 @@ INSTANTIATE_TEST_SUITE_P(
                "scene.toml:7:9: numerics.spring_stepping", "has no effect: no part is elastic"},
         Oddity{"step_factor_of_implicit_springs", [](Scene& s) { give(s.numerics.spring_step_factor, 0.5); },
                "scene.toml:7:9: numerics.spring_step_factor", "has no effect: springs are stepped implicitly"},
+        Oddity{"shifting_step_factor_of_the_corrected_scheme",
+               [](Scene& s) { give(s.numerics.shifting_step_factor, 2.0); },
+               "scene.toml:7:9: numerics.shifting_step_factor", "has no effect: with scheme"},
+        Oddity{"step_factor_of_no_species", [](Scene& s) { give(s.numerics.species_step_factor, 0.4); },
+               "scene.toml:7:9: numerics.species_step_factor", "has no effect: no species is stepped explicitly"},
         Oddity{"gap_of_a_disabled_part",
                [](Scene& s) {
                    s.parts[2].enabled = false;

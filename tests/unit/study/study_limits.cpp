@@ -205,6 +205,21 @@ TEST(Ladders, EndWhereAnotherLimitRulesTheStep) {
     EXPECT_THAT(dial(dials_of(good_scene), "numerics.step_factor", DialSide::up).refused, HasSubstr("step_factor"));
 }
 
+TEST(Dials, OfAModelsStepAreThoseOfTheLimitThatRules) {
+    EXPECT_THAT(names_of(dials_of(good_scene)), Not(Contains("numerics.viscous_step_factor"))) << "sound rules";
+    LimitFacts thick = facts();
+    thick.dt = thick.step_limits["viscosity"] = 2.4e-6;
+    const auto dials = dials_of(good_scene, thick);
+    const Dial& viscous = dial(dials, "numerics.viscous_step_factor", DialSide::up);
+    EXPECT_EQ(viscous.own(), 0.5);
+    EXPECT_EQ(viscous.stated->value, 0.65) << "with solids";
+    EXPECT_FALSE(viscous.is_physical);
+    ASSERT_EQ(viscous.rungs.size(), 9U) << "4.2 times as long, sound rules: 2^(8/4) and 2^(8/4 + 1/2)";
+    EXPECT_EQ(viscous.end, "beyond, the limit 'sound' rules the step");
+    EXPECT_TRUE(dial(dials, "numerics.step_factor", DialSide::up).rungs.empty());
+    EXPECT_THAT(names_of(dials), Not(Contains("numerics.contact_step_factor")));
+}
+
 TEST(Ladders, EndWhereStepsBecomeTwentyTimesShorter) {
     const auto dials = dials_of(good_scene);
     const Dial& viscosity = dial(dials, "part.blood.viscosity", DialSide::up);
