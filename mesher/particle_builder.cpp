@@ -181,16 +181,24 @@ void ParticleBuilder::add_fluid(const Part& part) {
     const Region& region = *geometry_.region(part.name);
     const int number = add_part(part, PartKind::fluid);
     const double volume = lattice_.cell_area();
-    std::size_t count = 0, left_out = 0;
+    const bool is_filled = fills_beside_cells();
+    std::size_t count = 0, left_out = 0, by_cells = 0;
     for (const Vec& point : lattice_.points(0)) {
         ++candidates_;
         if (fluid_at(point) != &part) continue;
         if (!clear_of_bodies(point)) {
             ++left_out;
+            by_cells += is_filled && body_curves_.nearest(point).distance >= spacing_ ? 1 : 0;
             continue;
         }
         add_particle(number, {point, volume, volume * part.density, -1, false, Vec::Zero(), 0});
         ++count;
+    }
+    double filled = static_cast<double>(count) * volume;
+    if (is_filled) {
+        const auto [added, beside] = fill_beside_cells(part, number);
+        count += added;
+        filled += beside;
     }
     if (count == 0)
         throw InputError(scene_.particles.spacing.location,
@@ -200,8 +208,8 @@ void ParticleBuilder::add_fluid(const Part& part) {
     line.name = part.name;
     line.kind = to_string(PartKind::fluid);
     line.particles = count;
-    line.target = region.area() - static_cast<double>(left_out) * volume;
-    line.reached = static_cast<double>(count) * volume;
+    line.target = region.area() - static_cast<double>(left_out - by_cells) * volume;
+    line.reached = filled;
     line.unit = "m^2";
     result_.report.parts.push_back(line);
     if (left_out > 0)

@@ -99,6 +99,12 @@ class ParticleBuilder {
     void claim_cells(SpringSolid& solid, const Region& region);
     void add_solid(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
     void add_cells(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
+    /// Whether liquid is to fill what solids of cells leave of the boxes that their surface cuts.
+    [[nodiscard]] bool fills_beside_cells() const;
+    /// Adds the liquid that lattice points leave out there, and gives all particles of the part an equal share of its
+    /// volume. Returns how many particles and how much volume it has added [m^2].
+    std::pair<std::size_t, double> fill_beside_cells(const Part& part, int number);
+    [[nodiscard]] std::vector<Vec> places_beside_cells(const Part& part, const std::vector<Vec>& corners) const;
     void add_unbonded(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
     void clamp_cells(const Part& part, SolidCells& cells) const;
     [[nodiscard]] std::vector<bool> anchored_nodes(const Part& part, const std::vector<Vec>& nodes) const;

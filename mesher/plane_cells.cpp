@@ -1,11 +1,15 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Of the ParticleBuilder: solids of cells.
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 #include "mesher/cell_solids.hpp"
 #include "mesher/particle_builder.hpp"
 #include "mesher/region_on_boxes.hpp"
+#include "mesher/relax.hpp"
 
 namespace dmp::mesher {
 
@@ -29,7 +33,128 @@ bool is_clamped_by(const CurveSet& anchor, const Vec& node, double spacing, bool
     return clamped;
 }
 
+/// Of a liquid particle that is added from walls' surfaces [spacings].
+constexpr double added_from_wall = 0.5;
+/// Places along each side of a box that are tried.
+constexpr int places_of_a_side = 8;
+
+using BoxIndex = std::array<int, 3>;
+
+/// The box of a lattice that a point lies in.
+BoxIndex box_at(const BoxLattice& boxes, const Vec& point) {
+    BoxIndex box{};
+    for (int axis = 0; axis < 2; ++axis)
+        box[axis] = static_cast<int>(std::floor((point[axis] - boxes.origin[axis]) / boxes.step[axis]));
+    return box;
+}
+
+/// To where it is nearest through periodic sides.
+double distance_between(const ParticleSpace& space, const Vec& a, const Vec& b) {
+    Vec apart = b - a;
+    for (int axis = 0; axis < 2; ++axis)
+        if (space.periodic[axis]) apart[axis] = std::remainder(apart[axis], space.box.extent()[axis]);
+    return apart.norm();
+}
+
+/// How much room there is at places: the distance to the nearest particle, where one is in the boxes around.
+class Room {
+  public:
+    Room(const ParticleSpace& space, const BoxLattice& boxes, std::vector<Vec> places)
+        : space_(space),
+          boxes_(boxes),
+          places_(std::move(places)),
+          room_(places_.size(), std::numeric_limits<double>::infinity()) {
+        for (std::size_t k = 0; k < places_.size(); ++k) in_box_[box_at(boxes_, places_[k])].push_back(k);
+    }
+    void take(const Vec& point) {
+        const BoxIndex at = box_at(boxes_, point);
+        for (int n = 0; n < 9; ++n) {
+            const auto found = in_box_.find(boxes_.in_period({at[0] + n % 3 - 1, at[1] + n / 3 - 1, 0}));
+            if (found == in_box_.end()) continue;
+            for (const std::size_t k : found->second)
+                room_[k] = std::min(room_[k], distance_between(space_, places_[k], point));
+        }
+    }
+    [[nodiscard]] bool empty() const { return places_.empty(); }
+    [[nodiscard]] const Vec& widest() const {
+        return places_[static_cast<std::size_t>(std::ranges::max_element(room_) - room_.begin())];
+    }
+
+  private:
+    const ParticleSpace& space_;
+    const BoxLattice& boxes_;
+    std::vector<Vec> places_;
+    std::vector<double> room_;  ///< [m]
+    std::map<BoxIndex, std::vector<std::size_t>> in_box_;
+};
+
 }  // namespace
+
+std::vector<Vec> ParticleBuilder::places_beside_cells(const Part& part, const std::vector<Vec>& corners) const {
+    std::vector<Vec> places;
+    for (const Vec& corner : corners)
+        for (int n = 0; n < places_of_a_side * places_of_a_side; ++n) {
+            const Vec within(n % places_of_a_side + 0.5, n / places_of_a_side + 0.5, 0);
+            const Vec place = corner + within.cwiseProduct(lattice_step()) / places_of_a_side;
+            if (fluid_at(place) != &part || is_in_a_solid(place)) continue;
+            if (nodes_.any_near(place, keep_from_cells * spacing_)) continue;
+            const auto [wall, surface] = wall_at(place);
+            if (wall < 0 || surface.distance >= added_from_wall * spacing_) places.push_back(place);
+        }
+    return places;
+}
+
+bool ParticleBuilder::fills_beside_cells() const {
+    return !solids_.empty() && *scene_.particles.arrangement == Arrangement::square &&
+           *scene_.particles.fill == FillKind::lattice &&
+           std::ranges::all_of(solids_, [](const SpringSolid& solid) { return solid.cells.has_value(); });
+}
+
+std::pair<std::size_t, double> ParticleBuilder::fill_beside_cells(const Part& part, int number) {
+    ParticleSet& set = result_.particles;
+    const BoxLattice boxes = boxes_of(set, lattice_step());
+    const RegionOnBoxes liquid(*geometry_.region(part.name), boxes);
+    std::set<BoxIndex> taken, looked_at;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < set.size(); ++i)
+        if (set.part[i] == number) {
+            taken.insert(box_at(boxes, set.position[i]));
+            ++count;
+        }
+    double missing = 0;  // [boxes]
+    std::vector<Vec> corners;
+    for (const SpringSolid& solid : solids_) {
+        const RegionOnBoxes drawn(*geometry_.region(solid.part->name), boxes);
+        for (const SolidCell& cell : solid.cells->cells) {
+            const BoxIndex at = box_at(boxes, solid.cells->fillings[cell.particle].centroid);
+            for (int k = 0; k < 9; ++k) {
+                const BoxIndex box = boxes.in_period({at[0] + k % 3 - 1, at[1] + k / 3 - 1, 0});
+                if (!looked_at.insert(box).second) continue;
+                const double share = liquid.filling(box).volume / boxes.volume();
+                if (share > 0) corners.push_back(boxes.corner(box));
+                const bool is_left_out = !taken.contains(box) && fluid_at(boxes.middle(box)) == &part;
+                if (is_left_out || drawn.filling(box).volume > 0) missing += share - (taken.contains(box) ? 1 : 0);
+            }
+        }
+    }
+    const auto added = static_cast<std::size_t>(std::max(0L, std::lround(missing)));
+    Room room(set, boxes, places_beside_cells(part, corners));
+    for (const Vec& point : set.position) room.take(point);
+    const double volume = lattice_.cell_area();
+    std::size_t done = 0;
+    for (; done < added && !room.empty(); ++done) {
+        const Vec place = room.widest();
+        add_particle(number, {place, volume, volume * part.density, -1, false, Vec::Zero(), 0});
+        room.take(place);
+    }
+    const double each = (static_cast<double>(count) + missing) / static_cast<double>(count + done);
+    for (std::size_t i = 0; i < set.size(); ++i)
+        if (set.part[i] == number) {
+            set.volume[i] *= each;
+            set.mass[i] *= each;
+        }
+    return {done, missing * volume};
+}
 
 void ParticleBuilder::claim_cells(SpringSolid& solid, const Region& region) {
     const Part& part = *solid.part;

@@ -35,6 +35,8 @@ template <int D>
 void relax(ParticleSet& set, double support, const std::function<bool(std::size_t, const Vec&)>& may_stand) {
     const WendlandC2<D> kernel(support);
     const double inverse_at_spacing = 1 / kernel.value(set.spacing);
+    const bool keeps_away = D == 3 || !set.cells.empty();
+    const double nearest_allowed = D == 3 ? keep_from_nodes : keep_from_cells;
     const std::vector<std::size_t> moving = fluid_near_bodies(set, moving_zone * support);
     std::vector<Vec> step(moving.size());
     for (int iteration = 0; iteration < iterations; ++iteration) {
@@ -44,7 +46,7 @@ void relax(ParticleSet& set, double support, const std::function<bool(std::size_
             double nearest_node = support;
             search.for_each_neighbour(moving[k], [&](std::size_t j, const Vec& separation) {
                 const double r = separation.norm();
-                if (D == 3 && r < nearest_node && set.kind(j) == PartKind::elastic) {
+                if (keeps_away && r < nearest_node && set.kind(j) == PartKind::elastic) {
                     nearest_node = r;
                     from_node = separation / r;
                 }
@@ -52,8 +54,8 @@ void relax(ParticleSet& set, double support, const std::function<bool(std::size_
                 sum += crowding * set.volume[j] * kernel.slope(r) * separation;
             });
             step[k] = -descent * support * support * sum;
-            const double room = nearest_node - keep_from_nodes * set.spacing;
-            if (D == 3 && step[k].dot(from_node) < -room) step[k] -= (step[k].dot(from_node) + room) * from_node;
+            const double room = nearest_node - nearest_allowed * set.spacing;
+            if (keeps_away && step[k].dot(from_node) < -room) step[k] -= (step[k].dot(from_node) + room) * from_node;
             const double length = step[k].norm(), longest = 0.1 * set.spacing;
             if (length > longest) step[k] *= longest / length;
         }

@@ -15,8 +15,9 @@ std::vector<Key<ForceOnPart>> force_keys() {
         {"name", &ForceOnPart::name, name(), required, "Name of the force."},
         {"part", &ForceOnPart::part, name(), required,
          "Part on which the force acts: a fluid, an elastic solid or spheres."},
-        {"force", &ForceOnPart::force, formulas("1 mN"), required,
-         "Force, as formulas of t, x, y, z; in 2-D the part is 1 m deep."},
+        {"force", &ForceOnPart::force, formulas("1 mN", PlacesKnown::now_and_at_start), required,
+         "Force, as formulas of t, x, y, z and, on elastic parts, X, Y, Z: where a particle is now, and where it was in "
+         "the initial state. In 2-D the part is 1 m deep."},
         {"amount", &ForceOnPart::amount, one_of<ForceAmount>(), required,
          "\"total\": the force on the whole part, spread evenly over its particles; \"per_particle\": the force on "
          "each particle."},
@@ -96,6 +97,22 @@ void check_schedule(const Driver& driver, const std::string& what) {
                          "give a period of at least until - from");
 }
 
+/// Of liquids and spheres nobody knows where a particle was.
+void check_initial_position(const Scene& scene, const ForceOnPart& force, const std::string& what) {
+    const auto& formulas = *force.force;
+    if (std::ranges::none_of(formulas, &Expression::depends_on_initial_position)) return;
+    const PartKind kind = *scene.part_named(force.part)->kind;
+    if (kind != PartKind::elastic)
+        throw InputError(force.force.location,
+                         what + " depends on X, Y or Z, and '" + *force.part + "', of kind '" + to_string(kind) +
+                             "', has no rest coordinates",
+                         "write x, y and z, the present place, or name an elastic part");
+    const auto asks_for_z = [](const Expression& formula) { return formula.depends_on("Z"); };
+    if (scene.dimension == 2 && std::ranges::any_of(formulas, asks_for_z))
+        throw InputError(force.force.location, what + " depends on Z in a 2-D scene",
+                         "write a formula of X and Y, or dimension = 3");
+}
+
 void check_force(const Scene& scene, const ForceOnPart& force) {
     const std::string what = "the force '" + *force.name + "'";
     need_pushable(scene, force.part.location, force.part);
@@ -106,9 +123,11 @@ void check_force(const Scene& scene, const ForceOnPart& force) {
                          "leave it out, or write 0");
     if (std::ranges::all_of(formulas, &Expression::is_zero))
         throw InputError(force.force.location, what + " is 0", "give it a component, or leave it out");
+    check_initial_position(scene, force, what);
     for (const BoxSide side : *scene.flow.symmetry) {
         const std::size_t axis = side == BoxSide::x_low || side == BoxSide::x_high ? 0 : 1;
-        if (!formulas.at(axis).is_zero() && !formulas.at(axis).depends_on_position())
+        const Expression& across = formulas.at(axis);
+        if (!across.is_zero() && !across.depends_on_position() && !across.depends_on_initial_position())
             throw InputError(force.force.location,
                              what + " pushes across the plane of symmetry '" + to_string(side) +
                                  "': the two sides would not be alike",

@@ -10,23 +10,26 @@
 
 namespace dmp::scene {
 
+namespace {
+
+constexpr std::array variable_names = {"t", "x", "y", "z", "X", "Y", "Z"};
+
+}  // namespace
+
 /// muParser with its variables, whose addresses must not change.
 struct Expression::Parser {
     mu::Parser parser;
-    std::array<double, 4> values{};  // t, x, y, z
+    std::array<double, variable_names.size()> values{};
 
     explicit Parser(const std::string& formula) {
         try {
             parser.DefineConst("pi", std::numbers::pi);
-            parser.DefineVar("t", values.data());
-            parser.DefineVar("x", &values[1]);
-            parser.DefineVar("y", &values[2]);
-            parser.DefineVar("z", &values[3]);
+            for (std::size_t k = 0; k < variable_names.size(); ++k)
+                parser.DefineVar(variable_names.at(k), &values.at(k));
             parser.SetExpr(formula);
             // Only once: GetUsedVar() makes muParser compile the formula again.
             const auto used = parser.GetUsedVar();
-            uses_time = used.contains("t");
-            uses_position = used.contains("x") || used.contains("y") || used.contains("z");
+            for (std::size_t k = 0; k < variable_names.size(); ++k) uses.at(k) = used.contains(variable_names.at(k));
             parser.Eval();  // muParser compiles and reports errors at the first evaluation
         } catch (const mu::Parser::exception_type& error) {
             throw std::invalid_argument(error.GetMsg());
@@ -38,7 +41,7 @@ struct Expression::Parser {
     Parser& operator=(Parser&&) = delete;
     ~Parser() = default;
 
-    bool uses_time = false, uses_position = false;
+    std::array<bool, variable_names.size()> uses{};
 };
 
 Expression::Expression() : formula_("0"), as_written_("0"), in_si_("0") {}
@@ -49,7 +52,7 @@ Expression::Expression(std::string formula, std::string as_written, std::string 
       in_si_(in_si.empty() ? as_written_ : std::move(in_si)),
       parser_(std::make_unique<Parser>(formula_)) {}
 
-// A copy compiles its own parser, so that copies do not share variables.
+// A copy compiles its own parser, so that copies do not share variable_names.
 Expression::Expression(const Expression& other)
     : formula_(other.formula_),
       as_written_(other.as_written_),
@@ -67,13 +70,23 @@ Expression& Expression::operator=(Expression&& other) noexcept = default;
 Expression::~Expression() = default;
 
 double Expression::operator()(double t, double x, double y, double z) const {
+    return at(t, Vec(x, y, z), Vec(x, y, z));
+}
+
+double Expression::at(double t, const Vec& now, const Vec& at_start) const {
     if (!parser_) return 0;
-    parser_->values = {t, x, y, z};
+    parser_->values = {t, now[0], now[1], now[2], at_start[0], at_start[1], at_start[2]};
     return parser_->parser.Eval();
 }
 
-bool Expression::depends_on_time() const { return parser_ && parser_->uses_time; }
+bool Expression::depends_on(std::string_view variable) const {
+    for (std::size_t k = 0; k < variable_names.size(); ++k)
+        if (variable_names.at(k) == variable) return parser_ && parser_->uses.at(k);
+    return false;
+}
 
-bool Expression::depends_on_position() const { return parser_ && parser_->uses_position; }
+bool Expression::depends_on_position() const { return depends_on("x") || depends_on("y") || depends_on("z"); }
+
+bool Expression::depends_on_initial_position() const { return depends_on("X") || depends_on("Y") || depends_on("Z"); }
 
 }  // namespace dmp::scene

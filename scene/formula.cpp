@@ -31,7 +31,8 @@ struct Term {
 /// Recursive-descent parser for the grammar in the header, one function per precedence level.
 class FormulaReader {
   public:
-    explicit FormulaReader(const WrittenText& text) : text_(text), all_(text.text) {}
+    explicit FormulaReader(const WrittenText& text, PlacesKnown places = PlacesKnown::now)
+        : text_(text), all_(text.text), places_(places) {}
 
     Term read() {
         Term whole = choice();
@@ -187,7 +188,7 @@ class FormulaReader {
         const auto digits = all_.substr(begin, position_ - begin);
         Unit unit;
         bool with_unit = false;
-        if (const auto reading = read_unit_greedily(text_, at(), is_variable_or_constant)) {
+        if (const auto reading = read_unit_greedily(text_, at(), is_value)) {
             unit = reading->unit;
             position_ = reading->end;
             with_unit = true;
@@ -212,7 +213,7 @@ class FormulaReader {
         if (!name.empty()) {
             const std::size_t after = skip_spaces(all_, name_end);
             const bool call = after < all_.size() && all_[after] == '(';
-            if (with_unit || call || is_variable_or_constant(name)) {
+            if (with_unit || call || is_value(name)) {
                 fail(next, "missing operator before '" + name + "'", "write * or / between them");
             }
             const std::string nearest = nearest_unit(name);
@@ -240,6 +241,16 @@ class FormulaReader {
         if (found != variables.end()) {
             term.dimension = found->dimension;
             return term;
+        }
+        if (is_initial_position(word)) {
+            switch (places_) {
+                case PlacesKnown::now:
+                    fail(begin, "'" + word + "' is a place in the initial state, which only a [[force]] knows",
+                         "write x, y or z for the present place, or leave it out");
+                case PlacesKnown::now_and_at_start:
+                    term.dimension = length;
+                    return term;
+            }
         }
         if (unit_symbol(word)) fail(begin, "the unit '" + word + "' stands without a number", "write 1 " + word);
         const auto nearest = nearest_name(word, known_names());
@@ -380,6 +391,7 @@ class FormulaReader {
 
     const WrittenText& text_;
     std::string_view all_;
+    PlacesKnown places_;
     std::size_t position_ = 0;
     int depth_ = 0;
 };
@@ -395,8 +407,9 @@ Expression compiled(const Term& whole, const WrittenText& text, const std::strin
 
 }  // namespace
 
-Expression read_formula(const WrittenText& text, const Expected& expected, const std::string& subject) {
-    FormulaReader reader(text);
+Expression read_formula(const WrittenText& text, const Expected& expected, const std::string& subject,
+                        PlacesKnown places) {
+    FormulaReader reader(text, places);
     const Term whole = reader.read();
     if (!whole.zero && whole.dimension != expected.dimension()) {
         if (is_bare_number(text.text)) throw expected.missing_unit(text.location, text.text, subject);

@@ -11,9 +11,9 @@ namespace dmp::scene {
 
 /// Reads a formula with units, such as "0.25 m/s^2 * sin(2*pi*t / 4 s)", and checks the dimensions of every operation.
 ///
-/// Variables: t [s], x, y, z [m]. Constant: pi. Functions: sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh
-/// atanh exp ln log (natural) log2 log10 rint sqrt abs sign min max sum avg. Operators, by increasing precedence:
-/// condition ? a : b, ||, &&, < <= > >= == !=, + -, * /, sign, ^ (right-associative).
+/// Variables: t [s], x, y, z [m], by `places` X, Y, Z [m]. Constant: pi. Functions: sin cos tan asin acos atan atan2
+/// sinh cosh tanh asinh acosh atanh exp ln log (natural) log2 log10 rint sqrt abs sign min max sum avg. Operators, by
+/// increasing precedence: condition ? a : b, ||, &&, < <= > >= == !=, + -, * /, sign, ^ (right-associative).
 ///
 /// A number may be followed by its unit, which is read greedily: after a symbol and its whole-number exponent, "* name"
 /// and "/ name" belong to the unit if the name is a known unit symbol, is not followed by "(" and is not t, x, y, z or
@@ -25,7 +25,8 @@ namespace dmp::scene {
 /// multiple of 1/2 if the base has a dimension. A bare 0 has any dimension.
 ///
 /// `subject` is the formula's key. Throws InputError with the location of the fault in the text.
-Expression read_formula(const WrittenText& text, const Expected& expected, const std::string& subject);
+Expression read_formula(const WrittenText& text, const Expected& expected, const std::string& subject,
+                        PlacesKnown places = PlacesKnown::now);
 /// The same of any dimension.
 Expression read_formula(const WrittenText& text, const std::string& subject);
 

@@ -50,10 +50,18 @@ struct Variable {
 
 inline constexpr std::array variables = {Variable{"t", time}, Variable{"x", length}, Variable{"y", length},
                                          Variable{"z", length}};
+/// Of a particle in the initial state [m], in formulas that may ask for it.
+inline constexpr std::array<std::string_view, 3> initial_position = {"X", "Y", "Z"};
+
+inline bool is_initial_position(std::string_view name) {
+    return std::find(initial_position.begin(), initial_position.end(), name) != initial_position.end();
+}
 
 inline bool is_variable_or_constant(std::string_view name) {
     return name == "pi" || std::any_of(variables.begin(), variables.end(), [&](auto& v) { return v.name == name; });
 }
+
+inline bool is_value(std::string_view name) { return is_variable_or_constant(name) || is_initial_position(name); }
 
 inline std::vector<std::string> known_names() {
     std::vector<std::string> names = {"pi"};

@@ -227,7 +227,7 @@ ValueType<Vec> point() {
             }};
 }
 
-ValueType<std::array<Expression, 3>> formulas(const std::string& example) {
+ValueType<std::array<Expression, 3>> formulas(const std::string& example, PlacesKnown places) {
     const Expected expected(example);
     const std::string description = "a list of one to three formulas, each " + expected.phrase() + " or 0";
     return {description,
@@ -242,7 +242,7 @@ ValueType<std::array<Expression, 3>> formulas(const std::string& example) {
                 }
                 for (std::size_t i = 0; i < items.size(); ++i) {
                     if (items[i].is_text()) {
-                        value.at(i) = read_formula(items[i].text, expected, path);
+                        value.at(i) = read_formula(items[i].text, expected, path, places);
                     } else {
                         read_quantity_node(items[i], path, expected);  // only 0 passes
                     }

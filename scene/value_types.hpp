@@ -79,7 +79,7 @@ ValueType<std::vector<std::string>> names();
 /// A list of two names.
 ValueType<std::array<std::string, 2>> two_names();
 /// One to three formulas of t, x, y, z; a bare 0 needs no unit.
-ValueType<std::array<Expression, 3>> formulas(const std::string& example);
+ValueType<std::array<Expression, 3>> formulas(const std::string& example, PlacesKnown places = PlacesKnown::now);
 /// One formula of t, x, y, z; a bare 0 needs no unit.
 ValueType<Expression> formula(const std::string& example);
 /// A list of "x", "y", "z".

@@ -57,6 +57,12 @@ class SpringBodies {
         const Node& node = nodes_[particle];
         return bodies_[node.body]->mass(static_cast<std::size_t>(node.index));
     }
+    /// Where this particle of the store's group was drawn, or turned solid: the place that its displacement counts
+    /// from, which may be any number of periods away [m].
+    [[nodiscard]] Vec rest_position(std::size_t particle) const {
+        const Node& node = nodes_[particle];
+        return bodies_[node.body]->rest_position(static_cast<std::size_t>(node.index));
+    }
     /// Moves the nodes in the store from one part of the way that the last advance made to another, each a share of it
     /// [-]. Returns the largest displacement of a node [m].
     double show_positions(ParticleStore& particles, double from = 0, double to = 1) const;

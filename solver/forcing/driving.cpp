@@ -63,8 +63,9 @@ Driving::Driving(const Scene& scene, const ParticleSet& set, const ParticleSpace
     for (const ForceOnPart& force : scene.forces) {
         const int part = number_of(set, force.part);
         const PartForce law{is_total(force.amount), counts_[static_cast<std::size_t>(part)]};
-        const bool by_position = std::ranges::any_of(*force.force, &Expression::depends_on_position);
-        forces_.push_back({part, force.force, law, window_of(force), by_position});
+        forces_.push_back({part, force.force, law, window_of(force),
+                           std::ranges::any_of(*force.force, &Expression::depends_on_position),
+                           std::ranges::any_of(*force.force, &Expression::depends_on_initial_position)});
     }
     for (const MovingShape& shape : scene.moving_shapes) {
         const ShapeSide side = side_of(shape.side);
@@ -91,11 +92,11 @@ Driving::Driving(const Scene& scene, const ParticleSet& set, const ParticleSpace
     }
 }
 
-Vec Driving::OnPart::at(double t, const Vec& x) const {
+Vec Driving::OnPart::at(double t, const Vec& x, const Vec& at_start) const {
     if (!window.acts(t)) return Vec::Zero();
     Vec value;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        value[static_cast<Eigen::Index>(axis)] = law.share(force.at(axis)(t, x[0], x[1], x[2]));
+        value[static_cast<Eigen::Index>(axis)] = law.share(force.at(axis).at(t, x, at_start));
     return value;
 }
 
@@ -114,18 +115,25 @@ FromShape Driving::from(const Shape& shape, const Vec& x, double t) const {
 Vec Driving::uniform(int part, double t) const {
     Vec sum = Vec::Zero();
     for (const OnPart& force : forces_)
-        if (force.part == part && !force.depends_on_position) sum += force.at(t, Vec::Zero());
+        if (force.part == part && !force.depends_on_position && !force.depends_on_initial_position)
+            sum += force.at(t, Vec::Zero(), Vec::Zero());
     return sum;
 }
 
-Vec Driving::by_position(int part, const Vec& position, double t) const {
-    Vec x = position;
+Vec Driving::in_box(const Vec& x) const {
+    Vec inside = x;
     for (int axis = 0; axis < 3; ++axis)
         if (space_.periodic.at(static_cast<std::size_t>(axis)))
-            x[axis] = wrapped(x[axis], space_.box.low[axis], space_.box.high[axis]);
+            inside[axis] = wrapped(x[axis], space_.box.low[axis], space_.box.high[axis]);
+    return inside;
+}
+
+Vec Driving::by_position(int part, const Vec& position, double t) const {
+    const Vec x = in_box(position);
     Vec sum = Vec::Zero();
     for (const OnPart& force : forces_)
-        if (force.part == part && force.depends_on_position) sum += force.at(t, x);
+        if (force.part == part && force.depends_on_position && !force.depends_on_initial_position)
+            sum += force.at(t, x, x);
     for (const Shape& shape : shapes_) {
         if (shape.felt_by[static_cast<std::size_t>(part)] == 0 || !shape.window.acts(t)) continue;
         const FromShape found = from(shape, x, t);
@@ -134,10 +142,17 @@ Vec Driving::by_position(int part, const Vec& position, double t) const {
     return sum;
 }
 
+Vec Driving::by_initial_position(int part, const Vec& x, const Vec& at_start, double t) const {
+    Vec sum = Vec::Zero();
+    for (const OnPart& force : forces_)
+        if (force.part == part && force.depends_on_initial_position) sum += force.at(t, in_box(x), in_box(at_start));
+    return sum;
+}
+
 Vec Driving::force(int part, const Vec& x, double t) const { return uniform(part, t) + by_position(part, x, t); }
 
 bool Driving::pushes(int part) const {
-    return depends_on_position(part) || std::ranges::find(forces_, part, &OnPart::part) != forces_.end();
+    return !is_uniform(part) || std::ranges::find(forces_, part, &OnPart::part) != forces_.end();
 }
 
 double Driving::energy(int part, const Vec& x, double t) const {
@@ -148,11 +163,12 @@ double Driving::energy(int part, const Vec& x, double t) const {
     return sum;
 }
 
-bool Driving::depends_on_position(int part) const {
-    return std::ranges::any_of(forces_,
-                               [&](const OnPart& force) { return force.part == part && force.depends_on_position; }) ||
-           std::ranges::any_of(shapes_,
-                               [&](const Shape& shape) { return shape.felt_by[static_cast<std::size_t>(part)] != 0; });
+bool Driving::is_uniform(int part) const {
+    const auto by_place = [&](const OnPart& force) {
+        return force.part == part && (force.depends_on_position || force.depends_on_initial_position);
+    };
+    const auto is_felt = [&](const Shape& shape) { return shape.felt_by[static_cast<std::size_t>(part)] != 0; };
+    return std::ranges::none_of(forces_, by_place) && std::ranges::none_of(shapes_, is_felt);
 }
 
 void Driving::add_uniform(ParticleGroup& group, int part, const Vec& force, int threads) const {
@@ -168,11 +184,11 @@ void Driving::add_uniform(ParticleGroup& group, int part, const Vec& force, int 
     }
 }
 
-void Driving::add_by_position(ParticleGroup& group, double t, std::array<ExactSum, 3>& sum) {
+void Driving::add_by_position(ParticleGroup& group, const SpringBodies& springs, double t,
+                              std::array<ExactSum, 3>& sum) {
     std::vector<std::uint8_t> driven;
     for (std::size_t part = 0; part < space_.parts.size(); ++part)
-        driven.push_back(space_.parts[part].kind == group.kind() && depends_on_position(static_cast<int>(part)) ? 1
-                                                                                                                : 0);
+        driven.push_back(space_.parts[part].kind == group.kind() && !is_uniform(static_cast<int>(part)) ? 1 : 0);
     if (std::ranges::find(driven, 1) == driven.end()) return;
     for (std::size_t i = 0; i < group.owned(); ++i) {
         const std::size_t part = group.tags()[i].part;
@@ -183,9 +199,13 @@ void Driving::add_by_position(ParticleGroup& group, double t, std::array<ExactSu
         Vec seen = x;
         for (int axis = 0; axis < group.dimension(); ++axis) seen[axis] = space_.mirrored_back(x[axis], axis);
         Vec force = by_position(static_cast<int>(part), seen, t);
+        for (int axis = 0; axis < group.dimension(); ++axis)
+            if (seen[axis] != x[axis]) force[axis] = -force[axis];
+        // Solids do not change places with their images.
+        if (group.kind() == PartKind::elastic)
+            force += by_initial_position(static_cast<int>(part), x, springs.rest_position(i), t);
         if (force.isZero(0)) continue;
         for (int axis = 0; axis < group.dimension(); ++axis) {
-            if (seen[axis] != x[axis]) force[axis] = -force[axis];
             group.data(Field::force, axis)[i] += force[axis];
             sum.at(static_cast<std::size_t>(axis)).add(force[axis]);
         }
@@ -193,7 +213,8 @@ void Driving::add_by_position(ParticleGroup& group, double t, std::array<ExactSu
     }
 }
 
-std::array<double, 3> Driving::add_forces(ParticleStore& particles, const Ranks& ranks, double t, int threads) {
+std::array<double, 3> Driving::add_forces(ParticleStore& particles, const SpringBodies& springs, const Ranks& ranks,
+                                          double t, int threads) {
     std::array<ExactSum, 3> sum;
     largest_acceleration_ = 0;
     for (const PartKind kind : {PartKind::fluid, PartKind::elastic}) {
@@ -208,7 +229,7 @@ std::array<double, 3> Driving::add_forces(ParticleStore& particles, const Ranks&
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     sum.at(axis).add(static_cast<double>(counts_[part]) * same[static_cast<Eigen::Index>(axis)]);
         }
-        add_by_position(group, t, sum);
+        add_by_position(group, springs, t, sum);
     }
     largest_acceleration_ = ranks.largest(largest_acceleration_);
     ranks.sum(sum);

@@ -11,6 +11,7 @@
 #include "models/forcing/schedule_window.hpp"
 #include "models/forcing/soft_shape.hpp"
 #include "scene/scene.hpp"
+#include "solver/elastic/spring_bodies.hpp"
 #include "solver/parallel/exact_sum.hpp"
 #include "solver/parallel/ranks.hpp"
 #include "solver/state/archive.hpp"
@@ -20,8 +21,8 @@
 namespace dmp::solver {
 
 /// What the scene pushes with from outside besides a body acceleration: forces on parts and shapes that parts feel. It
-/// depends on time and place alone; along periodic axes the place is the one in the box, and of a shape the image that
-/// is nearest counts.
+/// depends on time and place alone, forces on elastic parts also on where a particle was in the initial state; along
+/// periodic axes places are those in the box, and of a shape the image that is nearest counts.
 class Driving {
   public:
     /// @param set   for the parts' masses and numbers of particles
@@ -30,15 +31,16 @@ class Driving {
 
     [[nodiscard]] bool empty() const { return forces_.empty() && shapes_.empty(); }
 
-    /// All of it on one particle of the part at the place x [m] at time t [N].
+    /// All of it on one particle of the part at the place x [m] at time t [N], but for what asks for initial places.
     [[nodiscard]] Vec force(int part, const Vec& x, double t) const;
     [[nodiscard]] bool pushes(int part) const;
     /// Of the shapes [J].
     [[nodiscard]] double energy(int part, const Vec& x, double t) const;
 
-    /// Adds it to the owned particles' Field::force, of fluid and springs, and takes note of the largest acceleration.
-    /// Returns its sum over all ranks' particles [N].
-    std::array<double, 3> add_forces(ParticleStore& particles, const Ranks& ranks, double t, int threads);
+    /// Adds it to the owned particles' Field::force, of fluid and elastic solids, and takes note of the largest
+    /// acceleration. `springs` knows where solids' particles were. Returns its sum over all ranks' particles [N].
+    std::array<double, 3> add_forces(ParticleStore& particles, const SpringBodies& springs, const Ranks& ranks,
+                                     double t, int threads);
 
     /// For particles that are kept elsewhere: their forces by `force`, and the largest acceleration among them [m/s^2].
     void update_max(double largest_acceleration) { largest_acceleration_ = largest_acceleration; }
@@ -57,8 +59,8 @@ class Driving {
         std::array<Expression, 3> force;  ///< [N]
         PartForce law;
         ScheduleWindow window;
-        bool depends_on_position = false;
-        [[nodiscard]] Vec at(double t, const Vec& x) const;
+        bool depends_on_position = false, depends_on_initial_position = false;
+        [[nodiscard]] Vec at(double t, const Vec& x, const Vec& at_start) const;
     };
     struct Shape {
         std::vector<std::uint8_t> felt_by;   ///< by part
@@ -70,12 +72,15 @@ class Driving {
     };
 
     [[nodiscard]] FromShape from(const Shape& shape, const Vec& x, double t) const;
-    /// The part of the force that is the same at any place; the rest of it.
+    /// The part of the force that is the same at any place; what depends on the present place alone; what asks for the
+    /// initial one.
     [[nodiscard]] Vec uniform(int part, double t) const;
     [[nodiscard]] Vec by_position(int part, const Vec& x, double t) const;
-    [[nodiscard]] bool depends_on_position(int part) const;
+    [[nodiscard]] Vec by_initial_position(int part, const Vec& x, const Vec& at_start, double t) const;
+    [[nodiscard]] bool is_uniform(int part) const;
+    [[nodiscard]] Vec in_box(const Vec& x) const;
     void add_uniform(ParticleGroup& group, int part, const Vec& force, int threads) const;
-    void add_by_position(ParticleGroup& group, double t, std::array<ExactSum, 3>& sum);
+    void add_by_position(ParticleGroup& group, const SpringBodies& springs, double t, std::array<ExactSum, 3>& sum);
 
     ParticleSpace space_;
     std::vector<OnPart> forces_;

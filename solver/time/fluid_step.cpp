@@ -197,7 +197,7 @@ void FluidStep::add_outside_forces(double t, double dt) {
     by_volume_ = by_volume != std::array<double, 3>{};
     if (by_volume_) driven_volume_ = body_force_.add_pressure_forces(particles_, by_volume, settings_.threads);
     if (body_force_.depends_on_position()) count(body_force_.kick_fluid(particles_, ranks_, t, dt));
-    if (!driving_.empty()) count(driving_.add_forces(particles_, ranks_, t, settings_.threads));
+    if (!driving_.empty()) count(driving_.add_forces(particles_, springs_, ranks_, t, settings_.threads));
 }
 
 /// Density rates with the new velocities, and the diffusion of species: in the same sweep where that is possible.

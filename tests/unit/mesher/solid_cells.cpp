@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <sstream>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +15,7 @@
 #include "mesher/region_on_boxes.hpp"
 #include "mesher/solid_on_boxes.hpp"
 #include "tests/modules.hpp"
+#include "tests/unit/mesher/meshed_text.hpp"
 
 namespace dmp::tests::solid_cells_tests {
 namespace {
@@ -323,6 +326,60 @@ TEST(PlaneCells, stay_on_a_plane_of_symmetry_that_they_reach) {
         const auto held = std::ranges::count_if(cells.nodes, [](const CellNode& node) { return node.on_plane[0]; });
         EXPECT_EQ(held, gap == 0 ? 3 : 0);
     }
+}
+
+/// An area with these corners in a box of 6 m x 6 m of liquid that goes on across both axes.
+Texts in_liquid(const std::vector<Vec>& corners, const std::string& spacing) {
+    std::ostringstream geo;
+    geo.precision(17);
+    geo << "Point(1) = {0, 0, 0};\nPoint(2) = {6, 0, 0};\nPoint(3) = {6, 6, 0};\nPoint(4) = {0, 6, 0};\n"
+           "Line(1) = {1, 2};\nLine(2) = {2, 3};\nLine(3) = {3, 4};\nLine(4) = {4, 1};\nCurve Loop(1) = {1, 2, 3, "
+           "4};\n";
+    for (std::size_t n = 0; n < corners.size(); ++n)
+        geo << "Point(" << 10 + n << ") = {" << corners[n][0] << ", " << corners[n][1] << ", 0};\n";
+    for (std::size_t n = 0; n < corners.size(); ++n)
+        geo << "Line(" << 1000 + n << ") = {" << 10 + n << ", " << 10 + (n + 1) % corners.size() << "};\n";
+    geo << "Curve Loop(2) = {1000:" << 999 + corners.size()
+        << "};\nPlane Surface(1) = {1, 2};\nPlane Surface(2) = {2};\n"
+        << "Physical Surface(\"water\") = {1};\nPhysical Surface(\"solid\") = {2};\n";
+    return {"schema = 1\n[geometry]\nfile = \"channel.geo\"\n[particles]\nspacing = \"" + spacing +
+                "\"\n[[part]]\nname = \"water\"\nkind = \"fluid\"\ndensity = \"1000 kg/m^3\"\nviscosity = \"1 Pa*s\"\n"
+                "[[part]]\nname = \"solid\"\nkind = \"elastic\"\nmodel = \"cells\"\ndensity = \"1100 kg/m^3\"\n"
+                "youngs_modulus = \"1 MPa\"\npoisson_ratio = 0.3\n[flow]\nperiodic = [\"x\", \"y\"]\nlargest_speed = "
+                "\"0.1 m/s\"\n[run]\nduration = \"1 s\"\n[output]\nevery = \"1 s\"\nfields = []\n",
+            geo.str()};
+}
+
+TEST(LiquidBesideCells, fills_the_rest_of_the_boxes_that_they_cut) {
+    for (const Vec& shift : {Vec(0.03, 0.08, 0), Vec(0, 0, 0), Vec(0.1, 0.05, 0)})
+        for (const bool is_disc : {true, false}) {
+            const Vec along(std::cos(std::numbers::pi / 9), std::sin(std::numbers::pi / 9), 0),
+                up(-along[1], along[0], 0);
+            const Vec middle = Vec(3, 3, 0) + shift;
+            std::vector<Vec> corners;
+            for (int n = 0; is_disc && n < 60; ++n) {
+                const double angle = std::numbers::pi * n / 30;
+                corners.emplace_back(middle + 0.5 * Vec(std::cos(angle), std::sin(angle), 0));
+            }
+            if (!is_disc)
+                for (const auto& [x, y] : {std::pair{-2.0, -0.5}, {2.0, -0.5}, {2.0, 0.5}, {-2.0, 0.5}})
+                    corners.emplace_back(middle + x * along + y * up);
+            const ParticleSet set = mesh_texts(in_liquid(corners, "0.25 m")).particles;
+            double volume = 0, solid = 0, mass = 0, nearest = 1;
+            for (std::size_t i = 0; i < set.size(); ++i) {
+                volume += set.volume[i];
+                if (set.kind(i) != PartKind::fluid) solid += set.volume[i];
+                if (set.kind(i) != PartKind::fluid) continue;
+                EXPECT_NEAR(set.volume[i], 0.0625, 0.001 * 0.0625);
+                mass += set.mass[i];
+                for (std::size_t j = 0; j < set.size(); ++j)
+                    if (set.kind(j) == PartKind::elastic)
+                        nearest = std::min(nearest, (set.position[i] - set.position[j]).norm() / 0.25);
+            }
+            EXPECT_NEAR(volume / 36, 1, 1e-9) << shift.transpose() << (is_disc ? ", disc" : ", strip");
+            EXPECT_NEAR(mass, 1000 * (36 - solid), 1e-5);
+            EXPECT_GE(nearest, 0.699);
+        }
 }
 
 TEST(Bodies, of_cells_hang_together_by_their_nodes) {

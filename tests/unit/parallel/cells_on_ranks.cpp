@@ -227,6 +227,32 @@ TEST_P(CellsOnRanks, go_on_after_a_restart_on_another_number_of_ranks) {
     (void)ranks_.largest(0);  // the first rank's folder is there until all have read
 }
 
+TEST_P(CellsOnRanks, feel_a_force_by_their_initial_places_also_after_a_restart) {
+    ForceOnPart push;
+    push.name = std::string("push");
+    push.part = std::string("solid");
+    push.amount = ForceAmount::per_particle;
+    push.force = std::array{Expression("0.1*(X>0.6)+X*x", ""), Expression("Y*Y", ""), Expression()};
+    made_.scene.forces = {push};
+    made_.scene.output.every = 0.02;
+    const RunSummary alone = run_on(made_, Ranks::alone()), shared = run_on(made_, ranks_);
+    EXPECT_LT(shared.momentum_residual, 1e-12);
+    EXPECT_EQ(shared.impulse_of_body_forces, alone.impulse_of_body_forces);
+    double y = 0;  // of the same force at any time
+    for (std::size_t i = 0; i < made_.particles.size(); ++i)
+        if (made_.particles.part[i] == 1) y += std::pow(made_.particles.position[i][1], 2);
+    EXPECT_NEAR(alone.impulse_of_body_forces[1], 0.05 * y, 1e-12);
+    const TemporaryFolder on_each;
+    std::string folder = on_each.path().string();
+    ranks_.broadcast(folder);
+    const RunSummary resumed = run_on(made_, Ranks::alone(), stopped_halfway(made_, ranks_, folder));
+    EXPECT_EQ(resumed.state_hash, alone.state_hash);
+    if (ranks_.is_first()) {
+        EXPECT_EQ(shared.state_hash, alone.state_hash);
+    }
+    (void)ranks_.largest(0);  // the first rank's folder is there until all have read
+}
+
 INSTANTIATE_TEST_SUITE_P(Steppers, CellsOnRanks,
                          ::testing::Combine(::testing::Values(2, 3),
                                             ::testing::Values(SpringStepping::implicit, SpringStepping::subcycled)));

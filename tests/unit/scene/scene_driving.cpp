@@ -41,6 +41,8 @@ TEST(DrivenScene, reads_forces_and_shapes) {
     EXPECT_EQ(*force.part, "leaflets");
     EXPECT_NEAR((*force.force)[1](0.75), -0.008, 1e-17);
     EXPECT_EQ(*force.amount, ForceAmount::total);
+    const Expression at_rest = (*read_text(driven_with("-0.008 N *", "-0.008 N * X / 1 m *")).forces[0].force)[1];
+    EXPECT_NEAR(at_rest.at(0.75, Vec(9, 9, 9), Vec(2, 3, 4)), -0.016, 1e-17);
     EXPECT_EQ(*force.until, 1.5);
     EXPECT_EQ(*force.period, 3);
     ASSERT_EQ(scene.moving_shapes.size(), 1U);
@@ -80,6 +82,17 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:49:9: the force 'squeeze' has a third component in a 2-D scene\n  leave it out, or write 0"},
         Fault{"force_of_nothing", "force = [0,", "force = [0, 0] # [0,",
               "scene.toml:49:9: the force 'squeeze' is 0\n  give it a component, or leave it out"},
+        Fault{"rest_place_in_a_liquid", "part = \"leaflets\"\nforce = [0, \"-0.008 N *",
+              "part = \"blood\"\nforce = [0, \"-0.008 N * X / 1 m *",
+              "scene.toml:49:9: the force 'squeeze' depends on X, Y or Z, and 'blood', of kind 'fluid', has no rest "
+              "coordinates\n"
+              "  write x, y and z, the present place, or name an elastic part"},
+        Fault{"rest_place_out_of_the_plane", "-0.008 N *", "-0.008 N * Z / 1 m *",
+              "scene.toml:49:9: the force 'squeeze' depends on Z in a 2-D scene\n"
+              "  write a formula of X and Y, or dimension = 3"},
+        Fault{"shape_at_a_rest_place", "position = [\"1 mm/s * t\"", "position = [\"0.1 * X\"",
+              "scene.toml:59:20: 'X' is a place in the initial state, which only a [[force]] knows in \"0.1 * X\"\n"
+              "  write x, y or z for the present place, or leave it out"},
         Fault{"end_before_the_start", "from = \"0 s\"\nuntil", "from = \"2 s\"\nuntil",
               "scene.toml:52:9: the force 'squeeze' ends before it starts\n  give an until that is after from"},
         Fault{"period_without_an_end", "until = \"1.5 s\"\n", "",

@@ -56,6 +56,26 @@ TEST(Expression, tells_what_it_depends_on) {
     EXPECT_FALSE(number("2").depends_on_time());
 }
 
+TEST(Expression, knows_the_present_place_and_that_in_the_initial_state) {
+    const Expression f = read_formula({"100*X + 10*Y + Z + x/10 + y/100 + z/1000", {}, {}}, Expected("1 m"), "force",
+                                      PlacesKnown::now_and_at_start);
+    EXPECT_DOUBLE_EQ(f.at(0, Vec(1, 2, 3), Vec(4, 5, 6)), 456.123);
+    EXPECT_DOUBLE_EQ(f(0, 1, 2, 3), 123.123) << "in the initial state";
+    EXPECT_TRUE(f.depends_on_position());
+    EXPECT_TRUE(f.depends_on_initial_position());
+    EXPECT_TRUE(f.depends_on("Z"));
+    EXPECT_FALSE(f.depends_on_time());
+    const Expression of_place = read_formula({"Y", {}, {}}, Expected("1 m"), "force", PlacesKnown::now_and_at_start);
+    EXPECT_FALSE(of_place.depends_on_position());
+    EXPECT_FALSE(of_place.depends_on("X"));
+    EXPECT_FALSE(of_place.is_zero());
+    EXPECT_FALSE(number("x / 1 m").depends_on_initial_position());
+    EXPECT_EQ(
+        message_for("0.1 m/s^2 * X / 1 m"),
+        "scene.toml:12:30: 'X' is a place in the initial state, which only a [[force]] knows in \"0.1 m/s^2 * X / "
+        "1 m\"\n  write x, y or z for the present place, or leave it out");
+}
+
 TEST(Expression, copies_and_moves_are_independent) {
     Expression first = number("sin(t / 1 s)");
     const Expression copy = first;
