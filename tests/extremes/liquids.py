@@ -44,7 +44,7 @@ def tank(density_ratio, height=1.0, across=16, gravity=G, scheme="corrected", pe
     return text, {"tank.geo": tank_geo(0.5 * height, [0.5 * height, 0.5 * height])}, deviation
 
 
-def diffusion(diffusivity, width=1e-3, across=20, stepping="explicit"):
+def diffusion(diffusivity, width=1e-3, across=20, stepping="explicit", numerics=None):
     """Between plates held at 1 and 0, at rest: the concentration in the middle after a diffusion time."""
     period = width**2 / diffusivity
     spacing = width / across
@@ -54,7 +54,7 @@ def diffusion(diffusivity, width=1e-3, across=20, stepping="explicit"):
     text += table("[[species]]", name="drug", unit="mol/m^3", diffusivity=(diffusivity, "m^2/s"),
                   wall_concentration={"floor": (1.0, "mol/m^3"), "lid": (0.0, "mol/m^3")})
     text += table("[flow]", periodic=["x"], largest_speed=(1e-3, "m/s"))
-    text += table("[numerics]", species_stepping=stepping)
+    text += table("[numerics]", species_stepping=stepping, **(numerics or {}))
     text += table("[run]", duration=(0.1 * period, "s"))
     text += table("[output]", every=(0.1 * period, "s"), fields=["concentration"], picture_field="concentration")
     text += table("[[measure]]", name="c", kind="probe", field="concentration",

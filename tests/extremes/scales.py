@@ -27,11 +27,11 @@ def start_up(width, period, speed):
     return deviation
 
 
-def of_width(width, period, reynolds=0.0125, density=1000.0):
+def of_width(width, period, reynolds=0.0125, density=1000.0, numerics=None):
     nu = width**2 / period
     speed = reynolds * nu / width
     text, files = channel(width, period, speed, liquids=[(1, density, density * nu)],
-                          drive=8 * density * nu * speed / width**2)
+                          drive=8 * density * nu * speed / width**2, numerics=numerics)
     return text, files, start_up(width, period, speed)
 
 

@@ -3,6 +3,8 @@
 import math
 
 from extreme import Extreme
+from liquids import diffusion
+from scales import of_width
 from solids import strip
 from spheres import rebound
 
@@ -27,6 +29,22 @@ def extremes():
     for factor, ends in ((0.55, "right"), (0.93, "diverges")):
         yield Extreme("step limits", f"vein valve, step factor {factor:g}", "vein_valve",
                       [f"numerics.step_factor={factor}"], "60 ms", whole, 0.0, ends, "numerics.step_factor", slow=True)
+    for override, ends in (([], "right"), (["numerics.step_factor=0.5"], "diverges")):
+        yield Extreme("step limits", f"vein valve, sub-cycled, {override[0] if override else 'step factor as lowered'}",
+                      "vein_valve", ["numerics.spring_stepping=subcycled"] + override, "60 ms", whole, 0.0, ends,
+                      "numerics.step_factor", slow=True)
+    for factor, ends in ((0.58, "right"), (0.98, "diverges")):
+        text, files, deviation = of_width(1e-3, 1.0, numerics={"viscous_step_factor": factor})
+        yield Extreme("step limits", f"channel, viscous step factor {factor:g}", text, files=files, deviation=deviation,
+                      bound=0.01, ends=ends, says="viscous_step_factor")
+    for factor, ends in ((0.9, "right"), (1.5, "diverges")):
+        text, files, deviation = diffusion(1e-9, numerics={"species_step_factor": factor})
+        yield Extreme("step limits", f"diffusion between plates, species step factor {factor:g}", text, files=files,
+                      deviation=deviation, bound=0.01, ends=ends, says="species_step_factor")
+    for factor, ends in ((0.135, "right"), (0.225, "diverges")):
+        yield Extreme("step limits", f"vortices, density diffusion step factor {factor:g}", VORTICES,
+                      ["numerics.density_diffusion=1", f"numerics.density_diffusion_step_factor={factor}",
+                       "particles.spacing=\"0.02 m\""], "0.7 s", decay, 0.1, ends, "density_diffusion_step_factor")
     for factor in (0.9, 1.0):
         text, files, deviation = strip(stepping="subcycled", numerics={"spring_step_factor": factor})
         yield Extreme("step limits", f"sub-cycled strip, {factor:g} of the largest step of its springs", text, files=files,
