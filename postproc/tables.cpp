@@ -166,9 +166,12 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
         limits[limit.model] = limit.dt;
         formulas[limit.model] = limit.formula;
     }
-    Json warnings = Json::array();
-    for (const std::string& warning : extra.warnings) warnings.push_back(warning);
-    for (const Warning& warning : summary.warnings) warnings.push_back(warning.text());
+    std::vector<std::string> warnings;  // each once
+    const auto add = [&](const std::string& warning) {
+        if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+    };
+    for (const std::string& warning : extra.warnings) add(warning);
+    for (const Warning& warning : summary.warnings) add(warning.text());
     Json json{{"title", extra.label.title},
               {"version", extra.label.version},
               {"scene_hash", extra.label.scene_hash},

@@ -52,6 +52,7 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
       measures_(scene_, set, settings_, ranks_),
       events_(scene_, set, ranks_),
       monitor_(scene_, particles_.space(), rest_densities(scene_, set), settings_.sound_speed, settings_.support),
+      concentrations_(scene_),
       reached_(scene_, sound_),
       strain_(fluid_.springs()),
       frame_times_(scene_.output.every),
@@ -198,6 +199,12 @@ void FluidRun::write_what_is_due(FrameSink* sink) {
 
 void FluidRun::stop_if_diverged(FrameSink* sink) {
     stop_on_violation(sink, text_of(monitor_.check(particles_, fluid_, extremes_, time_)));
+    stop_if_species_diverged(sink);
+}
+
+void FluidRun::stop_if_species_diverged(FrameSink* sink) {
+    if (const SpeciesTransport* species = fluid_.species())
+        stop_on_violation(sink, concentrations_.check(particles_, *species));
 }
 
 Plan FluidRun::plan() const {
@@ -369,6 +376,7 @@ RunSummary FluidRun::summary() const {
     summary.warnings = foreseen_;
     std::ranges::move(reached_.warnings(time_ >= scene_.run.duration), std::back_inserter(summary.warnings));
     summary.velocity_change = velocity_change_.value(settings_.spacing);
+    std::ranges::move(concentrations_.warnings(ranks_), std::back_inserter(summary.warnings));
     if (const auto coarse = velocity_change_.warning(scene_)) summary.warnings.push_back(*coarse);
     summary.strains = strain_.largest();
     std::ranges::move(strain_.warnings(scene_), std::back_inserter(summary.warnings));

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "solver/monitor/concentration_monitor.hpp"
 #include "solver/monitor/stability_monitor.hpp"
 #include "solver/output/mean_displacement.hpp"
 #include "solver/output/measures.hpp"
@@ -35,7 +36,8 @@ class FluidRun final : public Run {
     void start(FrameSink* sink) override;
     [[nodiscard]] Step next_step(const RunOptions& options) override;
     void advance(const RunOptions& options, const Step& step) override;
-    void finish(FrameSink* /*sink*/) override {
+    void finish(FrameSink* sink) override {
+        stop_if_species_diverged(sink);
         fluid_.refresh_neighbours();
         strain_.add(fluid_.springs(), scene_);  // the summary has what it finds
     }
@@ -58,6 +60,7 @@ class FluidRun final : public Run {
     void take_measures();
     void write_what_is_due(FrameSink* sink);
     void stop_if_diverged(FrameSink* sink);
+    void stop_if_species_diverged(FrameSink* sink);
     void add_fields(Plan& plan) const;
     void add_limits_of_elastic_solids(Plan& plan) const;
 
@@ -75,6 +78,7 @@ class FluidRun final : public Run {
     Measures measures_;
     BodyEvents events_;
     StabilityMonitor monitor_;
+    ConcentrationMonitor concentrations_;
 
     double time_ = 0;  ///< [s]
     std::int64_t step_ = 0;

@@ -98,6 +98,7 @@ SpeciesTransport::SpeciesTransport(const Scene& scene, const ParticleSet& set, P
         fill(species, set, parts, particles, carried);
         fill_surfaces(scene, species, set, particles, carried);
         carried.largest_amount = at_least_something(ranks_.largest(carried.largest_amount));
+        carried.largest_concentration = ranks_.largest(carried.largest_concentration);
         carried.largest_diffusivity = ranks_.largest(carried.largest_diffusivity);
         // Amounts in whole quanta, as those that are handed over are.
         const ReproducibleSum whole(carried.largest_amount);
@@ -157,6 +158,7 @@ void SpeciesTransport::fill(const Species& species, const ParticleSet& set, cons
             const double amount = start * rest_volume(group, i);
             group.data(Field::species_amount, carried.number)[i] = amount;
             carried.largest_amount = std::max(carried.largest_amount, amount);
+            carried.largest_concentration = std::max(carried.largest_concentration, start);
         }
     }
 }
@@ -169,6 +171,7 @@ void SpeciesTransport::fill_surfaces(const Scene& scene, const Species& species,
             const ByPart<Expression>& surfaces = held ? species.wall_concentration : species.wall_flux;
             const Value<Expression>* formula = surfaces.of(set.parts[number].name);
             if (formula == nullptr || (kind != PartKind::rigid && kind != PartKind::elastic)) continue;
+            carried.has_flux |= !held;
             carried.surfaces.push_back({static_cast<std::uint16_t>(number), kind, **formula, held});
             ParticleGroup& group = particles.of(kind);
             constexpr int times = 16;
@@ -185,6 +188,7 @@ void SpeciesTransport::fill_surfaces(const Scene& scene, const Species& species,
                                   volume
                             : std::abs((**formula)(t, at[0], at[1], at[2])) * volume / set.spacing * scene.run.duration;
                     carried.largest_amount = std::max(carried.largest_amount, amount);
+                    if (held) carried.largest_concentration = std::max(carried.largest_concentration, amount / volume);
                 }
             }
         }

@@ -36,8 +36,10 @@ struct CarriedSpecies {
     double diffusivity = -1;  ///< of all fluid particles [m^2/s]; negative: by particle
     bool with_rigid = false, with_elastic = false;
     std::vector<Surface> surfaces;
-    double largest_amount = 0;       ///< that a particle is expected to hold
-    double largest_diffusivity = 0;  ///< [m^2/s]
+    double largest_amount = 0;         ///< that a particle is expected to hold
+    double largest_concentration = 0;  ///< that is given, at the start or at a surface
+    bool has_flux = false;             ///< from a surface
+    double largest_diffusivity = 0;    ///< [m^2/s]
 };
 
 /// Species that are dissolved in the fluid, go along with its particles and diffuse (models/transport/). A particle
@@ -73,6 +75,7 @@ class SpeciesTransport {
                  const ShiftStep& shift, const std::optional<SpeciesSums>& along);
 
     [[nodiscard]] std::size_t count() const { return species_.size(); }
+    [[nodiscard]] const CarriedSpecies& carried(std::size_t species) const { return species_[species]; }
     /// Volume at rest of an owned particle [m^3].
     [[nodiscard]] double rest_volume(const ParticleGroup& group, std::size_t i) const;
     [[nodiscard]] double concentration(const ParticleGroup& group, std::size_t i, std::size_t species) const;
