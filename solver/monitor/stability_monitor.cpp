@@ -88,11 +88,13 @@ std::optional<StabilityMonitor::Violation> StabilityMonitor::worst_of_fluid(cons
 }
 
 std::optional<StabilityMonitor::Violation> StabilityMonitor::worst_of_elastic(const ParticleGroup& springs) const {
+    // Solids alone may go wherever they are pulled.
+    const bool has_domain = !scene_.parts_of(PartKind::fluid).empty();
     for (std::size_t i = 0; i < springs.owned(); ++i) {
         const double speed = speed_of(springs, i);
         if (!std::isfinite(speed)) return Violation{&springs, i, "is not finite"};
         if (speed >= sound_speed_) return Violation{&springs, i, "is faster than sound"};
-        if (outside_box(springs, i)) return Violation{&springs, i, "has left the domain"};
+        if (has_domain && outside_box(springs, i)) return Violation{&springs, i, "has left the domain"};
     }
     return std::nullopt;
 }

@@ -220,6 +220,17 @@ TEST(Displacement, of_a_body_that_falls) {
         }
 }
 
+TEST(Displacement, of_a_solid_alone_is_not_limited_by_its_box) {
+    SceneAndParticles made = flags_alone();
+    std::erase_if(made.scene.parts, [](const Part& part) { return *part.kind == PartKind::fluid; });
+    made.scene.flow.acceleration[1] = Expression("-20", "-20");
+    made.scene.numerics.sound_speed = 100.0;
+    made.scene.contact.range = 0.0;
+    add_rod(made, {0.3, 0.2, 0}, 0);
+    made.scene.measures = {measure_of("fall", MeasureKind::displacement, "flags")};
+    EXPECT_NEAR(measured(made).rows.back()[1], -10, 0.1);
+}
+
 TEST(Displacement, at_a_point_is_that_of_the_nearest_particle) {
     SceneAndParticles made = flags_alone();
     add_rod(made, {0.3, 0.2, 0}, 0);
