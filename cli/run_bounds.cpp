@@ -41,12 +41,13 @@ void check_steps(const Scene& scene, const Plan& plan, double until) {
     if (steps <= most_steps) return;
     const auto ruling = std::ranges::find(plan.limits, plan.ruling_limit, &StepLimit::model);
     throw InputError(
-        {scene.file},
-        fmt::format("the run would take {:.2g} steps of {}, ruled by {}{}", steps, quantity_text(plan.dt, "s"),
-                    plan.ruling_limit, ruling == plan.limits.end() ? "" : " (" + ruling->formula + ")"),
-        fmt::format("Check the values behind that limit: at a microsecond a step, {:.0e} steps take 12 days. "
-                    "'dmp explain SCENE' lists all limits.",
-                    most_steps));
+        scene.run.duration.location,
+        fmt::format("{} would take {:.2g} steps of {}, ruled by {}{}, more than the {:.0e} that dmp runs, 12 days at a "
+                    "microsecond a step",
+                    quantity_text(until, "s"), steps, quantity_text(plan.dt, "s"), plan.ruling_limit,
+                    ruling == plan.limits.end() ? "" : " (" + ruling->formula + ")", most_steps),
+        fmt::format("Run at most {}, or check the values behind that limit; 'dmp explain SCENE' lists all limits.",
+                    quantity_text(most_steps * plan.dt, "s")));
 }
 
 std::optional<Warning> frames_rule_steps(const Scene& scene, const Plan& plan) {

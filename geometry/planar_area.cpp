@@ -45,7 +45,8 @@ Region planar_area(const std::string& name, const std::vector<int>& surfaces, Ca
     double around = 0;
     for (const auto& loop : region.loops) around += loop.length();
     if (region.area() <= 1e-12 * around * around) {
-        throw wrong("has no area", "Check the geometry, or the parameters it was given.");
+        throw wrong("has no area, or is thinner than 1e-12 of its length",
+                    "Check the geometry, or the parameters and the unit that it was given.");
     }
     return region;
 }

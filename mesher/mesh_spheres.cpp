@@ -38,7 +38,7 @@ class Checker {
             if (pair.overlap > deepest_overlap * smaller)
                 throw InputError(
                     scene_.part_of_particles(name_of(set_.part[b])).name.location,
-                    fmt::format("{} and {} lie {:.3g} m in each other at the start", text(a), text(b), pair.overlap),
+                    fmt::format("{} and {} overlap by {:.3g} m at the start", text(a), text(b), pair.overlap),
                     fmt::format("move them apart: at most {} of the smaller radius, {:.3g} m, may overlap",
                                 deepest_overlap, deepest_overlap * smaller));
             ++report.touching;

@@ -79,6 +79,12 @@ std::string thinnest_text(const LocalThickness& found, double spacing, double li
     return text.str();
 }
 
+/// What it means for the flow, after the line about a gap.
+std::string with_consequence(std::string gap) {
+    if (!gap.empty()) gap += ": flow through it is off by 10 % and more (docs/accuracy.md, \"Particles across\")";
+    return gap;
+}
+
 /// Edges of fluids in 2-D behind which there is no other fluid.
 std::vector<PlaneSegment> edges_of_fluids(const std::vector<const Region*>& fluids, double spacing) {
     std::vector<PlaneSegment> edges;
@@ -150,14 +156,14 @@ std::vector<std::string> thin_regions_2d(const Geometry& geometry, const Scene& 
     const LocalThickness found = local_thickness(standing_strips(edges, spacing), spacing);
     for (const Region* fluid : fluids) {
         const InsideTest inside(*fluid);
-        said.push_back(
+        said.push_back(with_consequence(
             thinnest_text(found, spacing, least_gap, fluid->name + ": a gap", 2, [&](const ThicknessSample& sample) {
                 Vec middle = 0.5 * (sample.position + sample.opposite);
                 middle.z() = 0;
                 return sample.thickness > touching * spacing && inside.side_of(middle) == Side::inside &&
                        std::ranges::none_of(
                            in_body, [&](const InsideTest& body) { return body.side_of(middle) == Side::inside; });
-            }));
+            })));
     }
     for (const Part* part : scene.parts_of(PartKind::elastic))
         said.push_back(narrow_tip(geometry, scene, *part, edges));
@@ -195,8 +201,8 @@ std::vector<std::string> thin_regions_3d(const Geometry& geometry, const Scene& 
                    !shells.is_in_a_wedge(sample) &&
                    std::ranges::none_of(in_body, [&](const WindingNumber& body) { return body.inside(middle); });
         };
-        said.push_back(thinnest_text(local_thickness(around, spacing), spacing, least_gap, part->name.value + ": a gap",
-                                     3, is_fluid));
+        said.push_back(with_consequence(thinnest_text(local_thickness(around, spacing), spacing, least_gap,
+                                                      part->name.value + ": a gap", 3, is_fluid)));
     }
     std::ranges::move(shells.narrow_edges(), std::back_inserter(said));
     return said;

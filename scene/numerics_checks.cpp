@@ -48,7 +48,7 @@ void need_fluids_of_like_density(const Scene& scene) {
         light->density.location,
         "'" + *heavy->name + "' is more than 10 times as dense as '" + *light->name +
             "': numerics.scheme = \"corrected\" is unstable there",
-        "leave out the lighter fluid, so that the other one has a free surface, or give it a higher density");
+        "give it a density within ten times of the other's");
 }
 
 /// What only one of the fluid's schemes can do.

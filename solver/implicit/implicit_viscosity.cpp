@@ -48,8 +48,9 @@ void ImplicitViscosity::give_up(double error, long iterations) const {
     problem << "implicit viscosity: the velocities' error is still " << error << " of them after " << iterations
             << " iterations, more than numerics.viscosity_tolerance = " << tolerance_;
     throw UnsolvedViscosity(problem.str(),
-                            "raise numerics.viscosity_tolerance (rounding alone leaves about 1e-15 times the step "
-                            "over the explicit limit), or lower numerics.step_factor");
+                            "lower the viscosity or numerics.step_factor: rounding alone leaves about 1e-15 times the "
+                            "step over the explicit limit; where that is below 0.01, a higher "
+                            "numerics.viscosity_tolerance will do, too");
 }
 
 void ImplicitViscosity::archive(Archive& file) {

@@ -142,12 +142,16 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
         usual_range = 0.7;
     }
     std::vector<std::pair<double, std::string>> causes;  // with how likely each is
-    for (const StepMargin& margin : step_margins(scene_))
-        if (margin.key == "numerics.step_factor")
+    std::string stated;
+    for (const StepMargin& margin : step_margins(scene_)) {
+        if (margin.key == "numerics.step_factor") {
             usual.step_factor = std::min(*usual.step_factor, margin.with_least_margin());
-        else if (!margin.model.empty() && margin.own.given() && margin.is_small())
+            stated = ", its stated limit " + number_text(margin.stated.value, 3);
+        } else if (!margin.model.empty() && margin.own.given() && margin.is_small()) {
             causes.emplace_back(5.5, setting(margin.key, *margin.own) + " is too large; its stated limit is " +
                                          number_text(margin.stated.value, 3));
+        }
+    }
 
     // A run that breaks is slow in most places. All of it fast: that is the drive.
     const double expected =
@@ -157,7 +161,7 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
         if (!(speed_of(fluid, i) <= 1.5 * expected)) ++fast;
     const bool all_fast = 5 * fast > fluid.owned();
     causes.emplace_back(all_fast ? 5 : 1,
-                        numerics.sound_speed.given()
+                        numerics.sound_speed.given() && *numerics.sound_speed > 0  // not "auto"
                             ? setting("numerics.sound_speed", numerics.sound_speed) +
                                   " m/s is not ten times the speed that the drive produces"
                             : setting("flow.largest_speed", scene_.flow.largest_speed) +
@@ -178,7 +182,7 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
     if (numerics.step_factor > usual.step_factor)
         causes.emplace_back(!violation.left && numerics.step_factor > 1.5 * usual.step_factor ? 6 : 3,
                             setting("numerics.step_factor", numerics.step_factor) + " is too large; the default is " +
-                                number_text(usual.step_factor));
+                                number_text(usual.step_factor) + stated);
     if (*numerics.shifting > 0 && (numerics.shifting < usual.shifting / 10 || numerics.shifting > 10 * usual.shifting))
         causes.emplace_back(5.5, setting("numerics.shifting", numerics.shifting) + " is far from the usual " +
                                      number_text(usual.shifting));
@@ -196,7 +200,14 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
                                 " leaves the springs too large a step for how stiff and how far strained they are");
     }
 
+    if (*numerics.shifting == 0 && *numerics.scheme == FluidScheme::corrected)
+        causes.emplace_back(5.5,
+                            "numerics.shifting = 0 leaves gaps where the flow pulls particles apart; the default is " +
+                                number_text(usual.shifting));
+
     std::stable_sort(causes.begin(), causes.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    // Where something is known to be wrong, what may be wrong in any run says nothing.
+    if (causes.front().first >= 5.5) std::erase_if(causes, [](const auto& cause) { return cause.first <= 1; });
     std::string text = causes.size() > 1 ? "likely causes: " : "likely cause: ";
     for (std::size_t k = 0; k < causes.size(); ++k) text += (k > 0 ? "; or " : "") + causes[k].second;
     return text;

@@ -65,7 +65,9 @@ Warning Reached::of_density() const {
 Warning Reached::of_mach() const {
     const double mach = speed_ / sound_.value;
     return too_low("the fluid moved at up to " + with_unit(speed_, "m/s") + ", Mach " + text_of("%.2g", mach) +
-                       ", which changes its density by about " + text_of("%.2g %%", 100 * mach * mach),
+                       ": pressures of rho u^2 change its density by " + text_of("%.2g %%", 100 * mach * mach) +
+                       " (so far it changed by " +
+                       text_of("%.2g %%", 100 * std::max(1 - density_low_, density_high_ - 1)) + ")",
                    is_by_hand() ? give("numerics.sound_speed", speed_ / *scene_.numerics.mach_number, "m/s")
                                 : give("flow.largest_speed", speed_, "m/s"));
 }

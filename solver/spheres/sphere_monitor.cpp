@@ -61,9 +61,8 @@ std::string trouble_with_spheres(const SphereStep& step, const ParticleSpace& sp
          << (largest.ratio >= 1 && largest.at_wall ? " has gone through a wall: " : ": ") << "it overlaps with "
          << (largest.at_wall ? "a wall" : "another sphere") << " by " << largest.ratio << " of its radius, more than "
          << most_overlap
-         << "\nlikely causes: youngs_modulus is too small for how fast or how loaded the spheres are; or they were "
-            "drawn "
-            "in each other; or numerics.steps_per_contact is too small";
+         << "\nlikely cause: youngs_modulus is too small for how fast or how loaded the spheres are: by Hertz' law an "
+            "impact of twice the speed needs four times the modulus for the same overlap";
     return text.str();
 }
 

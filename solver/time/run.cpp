@@ -6,6 +6,7 @@
 #include <ctime>
 #include <vector>
 
+#include "base/number_text.hpp"
 #include "base/wall_clock.hpp"
 #include "solver/state/loaded_groups.hpp"
 
@@ -139,9 +140,9 @@ void Run::stop_on_violation(FrameSink* sink, const std::string& found) {
 void Run::diverged(FrameSink* sink, const std::string& problem, const std::string& what_to_do) {
     write_diverged_frame(sink);
     const bool written = ranks().any(sink != nullptr);  // a trial writes nothing
-    throw DivergenceError("the simulation diverged at t = " + std::to_string(time()) + " s, step " +
-                              std::to_string(step()) + ": " + problem,
-                          what_to_do + (written ? "\nThe last frame shows the state" : ""));
+    throw DivergenceError(
+        "the simulation diverged at t = " + number_text(time()) + " s, step " + std::to_string(step()) + ": " + problem,
+        what_to_do + (written ? "\nThe last frame shows the state" : ""));
 }
 
 }  // namespace dmp::solver

@@ -11,14 +11,14 @@ StepLimit viscous_step_limit(const StepScales& scales) {
     return {
         "viscosity",
         scales.factors.viscous * scales.viscous_limit * scales.support * scales.support / scales.kinematic_viscosity,
-        "viscous_step_factor of the kernel's linear limit of nu dt / R^2"};
+        "viscous_step_factor times the kernel's linear limit of nu dt / R^2"};
 }
 
 StepLimit species_step_limit(const StepScales& scales) {
     // As for viscosity: surfaces that are held at a concentration raise the eigenvalue.
     return {"species",
             scales.factors.species * scales.diffusion_limit * scales.support * scales.support / scales.diffusivity,
-            "species_step_factor of the kernel's linear limit of D dt / R^2"};
+            "species_step_factor times the kernel's linear limit of D dt / R^2"};
 }
 
 namespace {

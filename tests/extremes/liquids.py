@@ -89,4 +89,4 @@ def extremes():
                   bound=0.03)
     text, files, deviation = diffusion(1e-20, stepping="implicit")
     yield Extreme("diffusivities", "1e-20 m^2/s between plates, implicit", text, files=files, ends="refused",
-                  says="the run would take")
+                  says="would take")

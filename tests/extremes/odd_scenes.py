@@ -91,7 +91,7 @@ def extremes():
     yield Extreme("durations", "1e-30 periods", text, files=files,
                   deviation=lambda results: results.last("u0_x") / SPEED, bound=1e-6)
     text, files = dragged(duration=1e30)
-    yield Extreme("durations", "1e+30 periods", text, files=files, ends="refused", says="the run would take")
+    yield Extreme("durations", "1e+30 periods", text, files=files, ends="refused", says="would take")
     for across in (0.1, 0.4):
         text, files = dragged(across=across)
         yield Extreme("numbers of particles", f"channel of {across:g} particles across", text, files=files,

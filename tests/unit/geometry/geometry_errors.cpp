@@ -193,7 +193,8 @@ TEST_F(GeometryFileErrors, RegionsThatAreNone) {
                             "Line(1) = {1, 2};\nLine(2) = {2, 3};\nLine(3) = {3, 1};\n"
                             "Curve Loop(1) = {1, 2, 3};\nPlane Surface(1) = {1};\n" +
                             named),
-              "d.geo: region 'water' has no area\n  Check the geometry, or the parameters it was given.");
+              "d.geo: region 'water' has no area, or is thinner than 1e-12 of its length\n  Check the geometry, or the "
+              "parameters and the unit that it was given.");
     EXPECT_EQ(
         error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {2, 2, 0};\nPoint(3) = {2, 0, 0};\nPoint(4) = {0, 2, 0};\n"
                       "Line(1) = {1, 2};\nLine(2) = {2, 3};\nLine(3) = {3, 4};\nLine(4) = {4, 1};\n"

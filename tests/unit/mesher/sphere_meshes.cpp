@@ -213,8 +213,8 @@ TEST(WrongSphereMesh, spheres_in_each_other_are_named) {
     const std::string beads = spheres("beads", "radius = \"1 mm\"\ncentres = [[0, 0, 0], [0, 0, \"5 mm\"]]");
     const std::string ball = spheres("ball", "radius = \"0.5 mm\"\ncentres = [[0, 0, \"6 mm\"]]");
     EXPECT_EQ(fault(head + elastic + beads + ball),
-              "scene.toml:20:8: sphere 1 of 'beads' at (0, 0, 0.005) m and sphere 0 of 'ball' at (0, 0, 0.006) m lie "
-              "0.0005 m in each other at the start\n"
+              "scene.toml:20:8: sphere 1 of 'beads' at (0, 0, 0.005) m and sphere 0 of 'ball' at (0, 0, 0.006) m "
+              "overlap by 0.0005 m at the start\n"
               "  move them apart: at most 0.05 of the smaller radius, 2.5e-05 m, may overlap");
     EXPECT_EQ(fault(head + "[[contact_pair]]\nparts = [\"any\", \"any\"]\nenabled = false\n" + beads + ball),
               "no error");

@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
               "[[part]]\nname = \"air\"\nkind = \"fluid\"\ndensity = \"1 kg/m^3\"\nviscosity = \"0.02 mPa*s\"\n[run]",
               "scene.toml:33:11: 'blood' is more than 10 times as dense as 'air': numerics.scheme = \"corrected\" is "
               "unstable there\n"
-              "  leave out the lighter fluid, so that the other one has a free surface, or give it a higher density"},
+              "  give it a density within ten times of the other's"},
         Fault{"corrected_scheme_of_a_summed_density", "[run]",
               "[numerics]\nscheme = \"corrected\"\ndensity = \"summation\"\n[run]",
               "scene.toml:32:11: numerics.scheme = \"corrected\" does not support numerics.density = \"summation\"\n"

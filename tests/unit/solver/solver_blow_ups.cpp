@@ -211,7 +211,7 @@ TEST(BlowUps, settings_far_from_their_defaults_are_named) {
     EXPECT_THAT(words_of("verification/poiseuille", {"particles.spacing=\"0.1 mm\"", "contact.range=7"}),
                 HasSubstr("contact.range = 7 spacings makes particles push that do not touch; the default is 0.7"));
     EXPECT_THAT(words_of("verification/taylor_green", {"particles.spacing=\"0.04 m\"", "numerics.shifting=2e-4"}),
-                testing::StartsWith("likely causes: numerics.shifting = 0.0002 is far from the usual 0.2"));
+                testing::StartsWith("likely cause: numerics.shifting = 0.0002 is far from the usual 0.2"));
 }
 
 TEST(BlowUps, a_drive_a_thousand_times_as_strong) {

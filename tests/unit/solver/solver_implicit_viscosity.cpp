@@ -213,7 +213,7 @@ TEST(ImplicitViscosity, says_when_it_finds_no_solution) {
         FAIL() << "a residual below rounding";
     } catch (const DivergenceError& error) {
         EXPECT_THAT(error.problem(), ::testing::HasSubstr("implicit viscosity: the velocities' error is still "));
-        EXPECT_THAT(error.what_to_do(), ::testing::HasSubstr("raise numerics.viscosity_tolerance"));
+        EXPECT_THAT(error.what_to_do(), ::testing::HasSubstr("lower the viscosity or numerics.step_factor"));
     }
 }
 
