@@ -60,6 +60,12 @@ class Extreme:
     slow: bool = False  # takes more than a few seconds
     seconds: int = 3600  # of wall time: only a run that hangs takes as long
 
+    def __post_init__(self):
+        if self.ends == "right" and self.deviation is None:
+            raise ValueError(f"{self.name}: nothing to compare it with")
+        if self.ends != "right" and not self.says:
+            raise ValueError(f"{self.name}: no words that name the cause")
+
 
 @dataclass
 class Ending:
@@ -113,7 +119,7 @@ def run(program, extreme):
         if abs(off) <= extreme.bound:  # false for nan, too
             how = "right"
         else:
-            how = "warned" if any(extreme.says in text for text in said) and said else "silent"
+            how = "warned" if extreme.says and any(extreme.says in text for text in said) else "silent"
         return Ending(how, "; ".join(said), off, wall, results.summary["steps"])
 
 

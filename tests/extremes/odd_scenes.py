@@ -1,7 +1,9 @@
 # Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 """Scenes at the edge of what makes sense: next to nothing in them, bodies that touch, more than sound can carry."""
+import math
+
 from extreme import Extreme
-from flows import WIDTH
+from flows import WIDTH, from_couette
 from scenes import channel, channel_geo, head, table
 
 NU, SPEED = 1e-6, 1e-3  # [m^2/s], [m/s]
@@ -15,20 +17,27 @@ def dragged(numerics=None, lid=SPEED, across=20, density=1000.0, viscosity=None,
     return text.replace(f'largest_speed = "{lid!r} m/s"', f'largest_speed = "{expected!r} m/s"'), files
 
 
-def steady(results, speed=SPEED):
-    """In the middle of the channel, over the lid's."""
-    return results.last("u0_x") / speed - 0.5
+def start_up(lid=SPEED):
+    """From rest, in the middle of the channel."""
+    return lambda results: from_couette(results, (0.5,), lid, WIDTH**2 / NU)
 
 
-def box_of_one():
-    """One particle, periodic all around, in a uniform acceleration."""
+def falling_box(across, viscosity=1e-3):
+    """Periodic all around, in a uniform acceleration: the largest speed, and that by the kinetic energy, over the exact
+    one."""
     text = head() + table("[geometry]", file="box.geo") + table("[particles]", spacing=(1e-3, "m"))
-    text += table("[[part]]", name="layer0", kind="fluid", density=(1000.0, "kg/m^3"), viscosity=(1e-3, "Pa*s"))
+    text += table("[[part]]", name="layer0", kind="fluid", density=(1000.0, "kg/m^3"), viscosity=(viscosity, "Pa*s"))
     text += table("[flow]", periodic=["x", "y"], largest_speed=(1.0, "m/s"), acceleration=[(1.0, "m/s^2"), 0])
     text += table("[run]", duration=(1.0, "s")) + table("[output]", every=(1.0, "s"))
     text += table("[[measure]]", name="speed", kind="largest_speed")
-    geo = channel_geo(1e-3, [1e-3]).split("Physical Curve")[0]
-    return text, {"box.geo": geo}
+    text += table("[[measure]]", name="energy", kind="kinetic_energy")
+    side = across * 1e-3
+    geo = channel_geo(side, [side]).split("Physical Curve")[0]
+
+    def deviation(results):
+        mean = math.sqrt(2 * results.last("energy") / (1000.0 * side**2))
+        return max(abs(results.last("speed") - 1), abs(mean - 1))
+    return text, {"box.geo": geo}, deviation
 
 
 def discs(gap, radius=1e-3, across=8):
@@ -51,22 +60,28 @@ def discs(gap, radius=1e-3, across=8):
     geo += "Physical Surface(\"liquid\") = {4};\nPhysical Surface(\"left\") = {2};\nPhysical Surface(\"right\") = {3};\n"
     geo += f"outer() = Curve In BoundingBox {{{-3.1 * radius!r}, {-2.1 * radius!r}, -1, {3.1 * radius!r}, {2.1 * radius!r}, 1}};\n"
     geo += "all() = Boundary{ Surface{4}; };\nPhysical Curve(\"wall\") = {all()};\n"
-    return text, {"discs.geo": geo}
+    half = min(away, radius)
+    lens = 2 * (radius**2 * math.acos(half / radius) - half * math.sqrt(radius**2 - half**2))
+    union = 2 * math.pi * radius**2 - lens
 
-
-def hovering(results):
-    """They are as dense as the liquid: the largest speed over sqrt(2 g r)."""
-    return results.last("speed") / 0.14
+    def deviation(results):
+        """They are as dense as the liquid, so nothing moves: the largest speed over sqrt(2 g r), and that of the mass."""
+        counted = results.summary["particles"]["elastic"] * spacing**2
+        if abs(counted / union - 1) > 0.05:  # a disc of 8 across is so coarse
+            return math.inf
+        return max(results.last("speed") / math.sqrt(2 * 9.81 * radius),
+                   abs(results.summary["conserved"]["start"]["mass"] / (1000.0 * 24 * radius**2) - 1))
+    return text, {"discs.geo": geo}, deviation
 
 
 def extremes():
-    text, files = box_of_one()
+    text, files, _ = falling_box(1)
     yield Extreme("one particle", "liquid of one particle, periodic, falls", text, files=files, ends="refused",
                   says="shorter than the kernel's support")
     for times in (0.5, 2.0, 100.0):
         text, files = dragged(lid=times, numerics={"sound_speed": (1.0, "m/s")}, expected=0.1)
         yield Extreme("faster than sound", f"lid at {times:g} times the speed of sound", text, files=files,
-                      deviation=lambda results: 1.0, ends="warned" if times < 1 else "diverges",
+                      deviation=start_up(times), bound=0.01, ends="right" if times < 1 else "diverges",
                       says="numerics.sound_speed")
     for gravity in (1e3, 1e6):
         text, files = dragged(numerics={"sound_speed": (0.1, "m/s")})
@@ -75,12 +90,15 @@ def extremes():
                       ends="diverges", says="numerics.sound_speed")
     for density in (1e-20, 1e-3, 1e6, 1e20):
         text, files = dragged(density=density, duration=1)
-        yield Extreme("values of a liquid", f"density of {density:g} kg/m^3", text, files=files, deviation=steady,
+        yield Extreme("values of a liquid", f"density of {density:g} kg/m^3", text, files=files, deviation=start_up(),
                       bound=0.01)
     for viscosity in (0.0, 1e-30):
         text, files = dragged(viscosity=viscosity)
         yield Extreme("values of a liquid", f"viscosity of {viscosity:g} Pa s", text, files=files,
                       deviation=lambda results: results.last("u0_x") / SPEED, bound=1e-6)
+        text, files, deviation = falling_box(8, viscosity)
+        yield Extreme("values of a liquid", f"periodic box falls, viscosity of {viscosity:g} Pa s", text, files=files,
+                      deviation=deviation, bound=1e-9)
     text, files = dragged(viscosity=1e30)
     yield Extreme("values of a liquid", "viscosity of 1e+30 Pa s", text, files=files, ends="refused",
                   says="ruled by viscosity")
@@ -103,7 +121,7 @@ def extremes():
     yield Extreme("numbers of particles", "channel of 1e+15 particles across", text, files=files, ends="refused",
                   says="has no area")
     for gap in (1.0, 0.0, -0.01, -0.5):
-        text, files = discs(gap)
+        text, files, deviation = discs(gap)
         apart = f"elastic discs {gap:g} radii apart" if gap >= 0 else f"elastic discs {-gap:g} radii in each other"
         yield Extreme("touching at the start", apart, text, files=files,
-                      deviation=hovering, bound=0.01)
+                      deviation=deviation, bound=0.01)

@@ -3,10 +3,11 @@
 
 HEAD = """# Extremes
 
-Written by `./dmp test --verification --filter extremes`: {count} runs with values far from the usual ones, each compared with what is known of its
-answer. A run ends
+Written by `./dmp test --verification --filter extremes`: {count} runs with values far from the usual ones. What a run
+finds is compared with what is known of its answer; some are known to have none, and have to say so. A run ends
 
-- **right**: within its bound of a closed form, or of what conservation demands ({right});
+- **right**: within its bound of a closed form, of what conservation demands, or of the same run with its usual
+  steps ({right});
 - **warned**: outside of it, and a warning says why ({warned});
 - **refused**, **diverges** or **resources**: with exit code 2, 3 or 4, and an error that says why ({stopped}).
 

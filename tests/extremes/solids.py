@@ -61,7 +61,7 @@ def extremes():
         text, files, deviation = strip(bending=bending, stepping="subcycled")
         yield Extreme("elastic solids", f"strip with a bending stiffness of {bending:g} N m, sub-cycled", text,
                       files=files, deviation=deviation, bound=0.03)
-    for cells, ends, says in ((2, "refused", "columns of particles"), (4, "warned", "cells long"), (20, "right", "")):
+    for cells, ends, says in ((2, "refused", "columns of particles"), (4, "warned", "is 4 cells long"), (20, "right", "")):
         text, files, deviation = strip(cells=cells)
         yield Extreme("particles across", f"strip {cells} cells long", text, files=files, deviation=deviation, bound=0.06,
                       ends=ends, says=says)

@@ -32,22 +32,34 @@ def contact(restitution=1.0):
     return table("[[contact_pair]]", name="touch", parts=["any", "any"], restitution=restitution, friction=0)
 
 
-def ending(duration, parts=("ball",), numerics=None):
+def ending(duration, parts=("ball",), numerics=None, samples=1):
     text = table("[numerics]", **numerics) if numerics else ""
-    text += table("[run]", duration=(duration, "s")) + table("[output]", every=(duration, "s"))
+    text += table("[run]", duration=(duration, "s"))
+    text += table("[output]", every=(duration, "s"), measure_every=(duration / samples, "s"))
     for part in parts:
         text += table("[[measure]]", name=part, kind="velocity", part=part)
     return text
 
 
 def rebound(radius=1e-3, speed=1.0, density=1000.0, modulus=1e9, restitution=1.0, numerics=None):
-    """A ball that falls onto a plane; its speed after it, over that expected."""
+    """A ball that falls onto a plane: its speed after it, over that expected; without loss also the force when the overlap
+    is largest, over that of Hertz, and its speed then."""
     reduced = modulus / (1 - 0.25**2)
     duration, overlap = hertz_duration(radius, mass(radius, density), reduced, speed)
     gap = 0.1 * overlap
     text = head(3) + ball("ball", radius, density, modulus, (0, 0, 0), (0, 0, -speed)) + plane(-radius - gap)
-    text += contact(restitution) + ending(2 * duration / min(restitution, 1), numerics=numerics)
-    return text, lambda results: results.last("ball_z") / (restitution * speed) - 1
+    halfway = gap / speed + duration / 2
+    text += contact(restitution)
+    if restitution < 1:
+        return text + ending(2 * duration / restitution, numerics=numerics), \
+            lambda results: results.last("ball_z") / (restitution * speed) - 1
+    force = 4 / 3 * reduced * math.sqrt(radius) * overlap**1.5
+
+    def deviation(results):
+        return max(abs(results.last("ball_z") / speed - 1), abs(results.columns["ball_z"][1] / speed),
+                   abs(results.columns["push_z"][1] / force - 1))
+    text += ending(4 * halfway, numerics=numerics, samples=4)
+    return text + table("[[measure]]", name="push", kind="wall_force"), deviation
 
 
 def head_on(size_ratio=1.0, density_ratio=1.0, radius=1e-3, speed=1.0):
@@ -68,11 +80,17 @@ def head_on(size_ratio=1.0, density_ratio=1.0, radius=1e-3, speed=1.0):
 
 
 def overlapping(share):
-    """Two alike balls that overlap by a share of their diameter at the start."""
-    radius = 1e-3
-    text = head(3) + ball("ball", radius, 1000.0, 1e9, (0, 0, 0))
-    text += ball("other", radius, 1000.0, 1e9, (2 * radius * (1 - share), 0, 0))
-    return text + contact() + ending(1e-4, ("ball", "other"))
+    """Two alike balls that overlap by a share of their diameter at the start: the speed at which they part, over that by
+    the energy of their overlap (Hertz 1882)."""
+    radius, density, modulus = 1e-3, 1000.0, 1e9
+    text = head(3) + ball("ball", radius, density, modulus, (0, 0, 0))
+    text += ball("other", radius, density, modulus, (2 * radius * (1 - share), 0, 0))
+    stiffness = 4 / 3 * modulus / (1 - 0.25**2) / 2 * math.sqrt(radius / 2)
+    speed = math.sqrt(0.4 * stiffness * (2 * radius * share)**2.5 / mass(radius, density))
+
+    def deviation(results):
+        return max(abs(results.last("ball_x") / speed + 1), abs(results.last("other_x") / speed - 1))
+    return text + contact() + ending(1e-4, ("ball", "other")), deviation
 
 
 def free_fall():
@@ -103,7 +121,9 @@ def extremes():
         scene, deviation = head_on(density_ratio=ratio)
         yield Extreme("spheres", f"ball hits one {ratio:g} times as dense", scene, deviation=deviation, bound=0.01)
     for share in (0.01, 0.1, 0.5, 1.0):
-        yield Extreme("touching at the start", f"spheres that overlap by {100 * share:g} % of their diameter",
-                      overlapping(share), ends="right" if share < 0.025 else "refused", says="lie")
+        scene, deviation = overlapping(share)
+        yield Extreme("touching at the start", f"spheres that overlap by {100 * share:g} % of their diameter", scene,
+                      deviation=deviation, bound=0.01, ends="right" if share < 0.025 else "refused",
+                      says="in each other at the start")
     scene, deviation = free_fall()
     yield Extreme("one particle", "ball in free flight", scene, deviation=deviation, bound=1e-9)
