@@ -69,7 +69,7 @@ def diffusion(diffusivity, width=1e-3, across=20, stepping="explicit", numerics=
 
 
 def backward_euler(y, t, steps):
-    """Of diffusion between plates held at 1 and 0, exact in space: 9 % below the exact one at 0.1 in 4 steps."""
+    """Of diffusion between plates held at 1 and 0, mode by mode: 9 % below the exact one at 0.1 in 4 steps."""
     return 1 - y - sum(2 / (n * math.pi) * math.sin(n * math.pi * y) * (1 + n * n * math.pi**2 * t / steps)**-steps
                        for n in range(1, 400))
 
