@@ -124,6 +124,6 @@ def extremes():
         scene, deviation = overlapping(share)
         yield Extreme("touching at the start", f"spheres that overlap by {100 * share:g} % of their diameter", scene,
                       deviation=deviation, bound=0.01, ends="right" if share < 0.025 else "refused",
-                      says="in each other at the start")
+                      says="overlap by")
     scene, deviation = free_fall()
     yield Extreme("one particle", "ball in free flight", scene, deviation=deviation, bound=1e-9)
