@@ -81,7 +81,8 @@ std::string thinnest_text(const LocalThickness& found, double spacing, double li
 
 /// What it means for the flow, after the line about a gap.
 std::string with_consequence(std::string gap) {
-    if (!gap.empty()) gap += ": flow through it is off by 10 % and more (docs/accuracy.md, \"Particles across\")";
+    if (!gap.empty())
+        gap += ": flow through it is off by 10 % and more (docs/accuracy.md); take a smaller particles.spacing";
     return gap;
 }
 

@@ -41,7 +41,7 @@ TEST_F(BlowUp, FromTooLongAStepNamesTheStep) {
                                    "numerics.shifting=0", "--set", "contact.range=0"});
     ASSERT_EQ(ended.code, 3) << ended.errors;
     EXPECT_THAT(ended.errors,
-                AllOf(HasSubstr("speed "), HasSubstr("likely causes: numerics.step_factor = 1 is too large")));
+                AllOf(HasSubstr("speed "), HasSubstr("likely cause: numerics.step_factor = 1 is too large")));
     expect_snapshot_of(ended.errors, "out");
 }
 

@@ -168,8 +168,8 @@ class Forgotten(unittest.TestCase):
                      NOT_HANDLED)
 
     def measure(self, subject=None):
-        headers = replaced(CHOICES, ("    uptake\n}", "    uptake, forgotten\n}"),
-                           ('"uptake"}', '"uptake", "forgotten"}'))
+        headers = replaced(CHOICES, ("    displacement\n}", "    displacement, forgotten\n}"),
+                           ('"displacement"}', '"displacement", "forgotten"}'))
         if subject:
             case = f"case MeasureKind::forgotten: return MeasureSubject::{subject};"
             headers |= replaced("scene/measure_subject.hpp", ("    switch (kind) {", "    switch (kind) {" + case))
