@@ -41,7 +41,7 @@ void check_steps(const Scene& scene, const Plan& plan, double until) {
     if (steps <= most_steps) return;
     const auto ruling = std::ranges::find(plan.limits, plan.ruling_limit, &StepLimit::model);
     throw InputError(
-        scene.run.duration.location,
+        until == *scene.run.duration ? scene.run.duration.location : SourceLocation{"--until", 0, 0},
         fmt::format("{} would take {:.2g} steps of {}, ruled by {}{}, more than the {:.0e} that dmp runs, 12 days at a "
                     "microsecond a step",
                     quantity_text(until, "s"), steps, quantity_text(plan.dt, "s"), plan.ruling_limit,

@@ -48,14 +48,6 @@ BoxIndex box_at(const BoxLattice& boxes, const Vec& point) {
     return box;
 }
 
-/// To where it is nearest through periodic sides.
-double distance_between(const ParticleSpace& space, const Vec& a, const Vec& b) {
-    Vec apart = b - a;
-    for (int axis = 0; axis < 2; ++axis)
-        if (space.periodic[axis]) apart[axis] = std::remainder(apart[axis], space.box.extent()[axis]);
-    return apart.norm();
-}
-
 /// How much room there is at places: the distance to the nearest particle, where one is in the boxes around.
 class Room {
   public:
@@ -72,7 +64,7 @@ class Room {
             const auto found = in_box_.find(boxes_.in_period({at[0] + n % 3 - 1, at[1] + n / 3 - 1, 0}));
             if (found == in_box_.end()) continue;
             for (const std::size_t k : found->second)
-                room_[k] = std::min(room_[k], distance_between(space_, places_[k], point));
+                room_[k] = std::min(room_[k], nearest_image(point - places_[k], space_).norm());
         }
     }
     [[nodiscard]] bool empty() const { return places_.empty(); }

@@ -187,7 +187,7 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     if (const std::size_t cells = ladder.columns() - 1; cells < enough_cells) {
         std::ostringstream text;
         text << "a curve of '" << part.name.value << "' is " << cells
-             << " cells long, and a whole column of particles stands at its end: it swings about " << 100 / cells
+             << " cells long, and a whole column of particles stands at a free end: it swings about " << 100 / cells
              << " % too slowly; take a smaller particles.spacing";
         result_.report.warnings.push_back(text.str());
     }

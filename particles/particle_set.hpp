@@ -111,6 +111,9 @@ struct ParticleSpace {
     }
 };
 
+/// The shortest periodic image of the vector between two points [m].
+Vec nearest_image(Vec apart, const ParticleSpace& space);
+
 /// What the mesher hands on: particles, bonds and walls, as plain arrays. A particle's id is its index.
 struct ParticleSet : ParticleSpace {
     // one entry a particle

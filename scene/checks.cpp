@@ -283,7 +283,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
     if (*measure.kind == MeasureKind::mode) check_waves(scene, measure);
     check_sphere_measure(scene, measure);
     if (*measure.kind == MeasureKind::aggregate) need_solid(scene, measure.part, "measure", *measure.name);
-    if (*measure.kind != MeasureKind::gap && *measure.kind != MeasureKind::displacement) return;
+    if (!is_of_elastic_part(measure.kind)) return;
     std::vector<std::string> springs;
     for (const auto& part : scene.parts) {
         if (*part.kind == PartKind::elastic) springs.push_back(part.name);

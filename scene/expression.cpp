@@ -52,7 +52,7 @@ Expression::Expression(std::string formula, std::string as_written, std::string 
       in_si_(in_si.empty() ? as_written_ : std::move(in_si)),
       parser_(std::make_unique<Parser>(formula_)) {}
 
-// A copy compiles its own parser, so that copies do not share variable_names.
+// A copy compiles its own parser, so that copies do not share variables.
 Expression::Expression(const Expression& other)
     : formula_(other.formula_),
       as_written_(other.as_written_),

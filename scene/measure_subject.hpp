@@ -13,8 +13,8 @@
 namespace dmp::scene {
 
 /// What a measure is of: which scenes may have it, and which part of the solver takes it. `any`: whatever moves in the
-/// scene; `flow`: the fluid as a whole or elastic solids.
-enum class MeasureSubject { any, flow, species, spheres };
+/// scene; `solids`: elastic ones, or what turned solid.
+enum class MeasureSubject { any, flow, solids, species, spheres };
 
 constexpr MeasureSubject subject_of(MeasureKind kind) {
     switch (kind) {
@@ -22,14 +22,15 @@ constexpr MeasureSubject subject_of(MeasureKind kind) {
         case MeasureKind::kinetic_energy:
             return MeasureSubject::any;
         case MeasureKind::flux:
-        case MeasureKind::gap:
         case MeasureKind::density:
         case MeasureKind::probe:
         case MeasureKind::line:
         case MeasureKind::mode:
+            return MeasureSubject::flow;
+        case MeasureKind::gap:
         case MeasureKind::aggregate:
         case MeasureKind::displacement:
-            return MeasureSubject::flow;
+            return MeasureSubject::solids;
         case MeasureKind::amount:
         case MeasureKind::mean_concentration:
         case MeasureKind::profile:
@@ -50,6 +51,11 @@ constexpr MeasureSubject subject_of(MeasureKind kind) {
 /// Whether a measure reads a field of the fluid.
 constexpr bool reads_a_field(MeasureKind kind) {
     return kind == MeasureKind::probe || kind == MeasureKind::line || kind == MeasureKind::mode;
+}
+
+/// Whether a measure is of an elastic part alone.
+constexpr bool is_of_elastic_part(MeasureKind kind) {
+    return kind == MeasureKind::gap || kind == MeasureKind::displacement;
 }
 
 /// Whether a measure is of a species. A probe of concentrations is of the fluid.

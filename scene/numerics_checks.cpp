@@ -44,11 +44,10 @@ void need_fluids_of_like_density(const Scene& scene) {
     if (fluids.empty()) return;
     const auto [light, heavy] = std::ranges::minmax(fluids, {}, [](const Part* fluid) { return *fluid->density; });
     if (*heavy->density <= largest_ratio * *light->density) return;
-    throw InputError(
-        light->density.location,
-        "'" + *heavy->name + "' is more than 10 times as dense as '" + *light->name +
-            "': numerics.scheme = \"corrected\" is unstable there",
-        "give it a density within ten times of the other's");
+    throw InputError(light->density.location,
+                     "'" + *heavy->name + "' is more than 10 times as dense as '" + *light->name +
+                         "': numerics.scheme = \"corrected\" is unstable there",
+                     "give it a density within ten times of the other's");
 }
 
 /// What only one of the fluid's schemes can do.

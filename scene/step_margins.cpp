@@ -152,6 +152,10 @@ std::string default_text(const Scene& scene, const std::string& key) {
 
 bool StepMargin::is_small(double held_shorter) const { return margin() * held_shorter < least_margin * (1 - rounding); }
 
+std::string StepMargin::too_large_text() const {
+    return key + " = " + number_text(*own) + " is too large; its stated limit is " + number_text(stated.value, 3);
+}
+
 double StepMargin::with_least_margin() const {
     constexpr double decimals = 1000;
     if (is_least) return std::ceil(stated.value * least_margin * decimals * (1 - rounding)) / decimals;
@@ -172,12 +176,6 @@ std::vector<IdleKey> idle_step_keys(const Scene& scene) {
             !row.idle.empty() && value.given() && !row.is_used(scene))
             idle.push_back({row.key, value.location, row.idle});
     return idle;
-}
-
-StepMargin step_margin(const Scene& scene, const std::string& key) {
-    const Row& row = row_of(key);
-    if (!row.is_used(scene)) throw std::out_of_range(key + " sets no steps of this scene");
-    return margin_of(scene, row);
 }
 
 void lower_defaults(Scene& scene) {

@@ -26,6 +26,8 @@ struct StepMargin {
     [[nodiscard]] double margin() const { return is_least ? *own / stated.value : stated.value / *own; }
     /// Less than least_margin, and not by rounding, where steps are held so many times shorter by something else.
     [[nodiscard]] bool is_small(double held_shorter = 1) const;
+    /// "numerics.step_factor = 0.9 is too large; its stated limit is 0.7"
+    [[nodiscard]] std::string too_large_text() const;
     /// The value with least_margin, to three decimals on the safe side.
     [[nodiscard]] double with_least_margin() const;
 };
@@ -49,9 +51,6 @@ struct IdleKey {
 
 /// Keys that set steps of models that the scene does not have.
 [[nodiscard]] std::vector<IdleKey> idle_step_keys(const Scene& scene);
-
-/// Of one key; throws std::out_of_range where it sets no steps in this scene.
-[[nodiscard]] StepMargin step_margin(const Scene& scene, const std::string& key);
 
 /// Gives least_margin to those defaults that have less in this scene.
 void lower_defaults(Scene& scene);

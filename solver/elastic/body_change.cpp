@@ -13,15 +13,6 @@
 
 namespace dmp::solver {
 
-Vec nearest_image(Vec apart, const ParticleSpace& space) {
-    for (int axis = 0; axis < space.dimension; ++axis) {
-        if (!space.periodic[axis]) continue;
-        const double period = space.box.high[axis] - space.box.low[axis];
-        apart[axis] -= period * std::round(apart[axis] / period);
-    }
-    return apart;
-}
-
 namespace {
 
 using Ends = std::pair<int, int>;

@@ -25,9 +25,6 @@ struct BodyChange {
     [[nodiscard]] bool empty() const { return nodes.empty() && bonds.empty() && broken.empty(); }
 };
 
-/// The shortest periodic image of the vector between two points [m].
-Vec nearest_image(Vec apart, const ParticleSpace& space);
-
 struct ChangedBodies {
     std::vector<BodyParts> bodies;
     std::vector<int> made, broken;  ///< origins of the bonds

@@ -43,9 +43,7 @@ std::string ConcentrationMonitor::check(const ParticleStore& particles, const Sp
 
 std::string ConcentrationMonitor::likely_cause() const {
     for (const StepMargin& margin : step_margins(scene_))
-        if (margin.model == "species" && margin.is_small())
-            return "likely cause: " + margin.key + " = " + number_text(*margin.own) +
-                   " is too large; its stated limit is " + number_text(margin.stated.value, 3);
+        if (margin.model == "species" && margin.is_small()) return "likely cause: " + margin.too_large_text();
     return "likely cause: steps are too long for how fast it diffuses; compare with half of numerics.step_factor";
 }
 

@@ -148,8 +148,7 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
             usual.step_factor = std::min(*usual.step_factor, margin.with_least_margin());
             stated = ", its stated limit " + number_text(margin.stated.value, 3);
         } else if (!margin.model.empty() && margin.own.given() && margin.is_small()) {
-            causes.emplace_back(5.5, setting(margin.key, *margin.own) + " is too large; its stated limit is " +
-                                         number_text(margin.stated.value, 3));
+            causes.emplace_back(5.5, margin.too_large_text());
         }
     }
 

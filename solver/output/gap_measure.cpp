@@ -8,7 +8,6 @@
 #include "base/disjoint_sets.hpp"
 #include "base/errors.hpp"
 #include "particles/cell_pieces.hpp"
-#include "solver/elastic/body_change.hpp"
 
 namespace dmp::solver {
 

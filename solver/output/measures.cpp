@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "base/errors.hpp"
-#include "solver/elastic/body_change.hpp"
 #include "solver/output/aggregates.hpp"
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/fourier_mode.hpp"
@@ -18,7 +17,7 @@ namespace dmp::solver {
 namespace {
 
 bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
-    if (*measure.kind != MeasureKind::gap && *measure.kind != MeasureKind::displacement) return true;
+    if (!is_of_elastic_part(measure.kind)) return true;
     const auto parts = scene.parts_of(PartKind::elastic);
     return std::any_of(parts.begin(), parts.end(),
                        [&](const Part* part) { return part->name.value == measure.part.value; });
@@ -91,7 +90,7 @@ struct Measures::Rows {
 
 Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings, const Ranks& ranks)
     : scene_(scene), space_(static_cast<const ParticleSpace&>(set)), settings_(settings), ranks_(ranks) {
-    static_assert(has_row_for_each(Rows::all, {MeasureSubject::any, MeasureSubject::flow}));
+    static_assert(has_row_for_each(Rows::all, {MeasureSubject::any, MeasureSubject::flow, MeasureSubject::solids}));
     for (const Measure& measure : scene.measures) {
         if (!is_about_enabled_parts(scene, measure)) continue;  // the part was left out, and so is what is asked of it
         measures_.push_back(&measure);

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "solver/elastic/body_change.hpp"
-
 namespace dmp::solver {
 
 namespace {

@@ -7,7 +7,6 @@
 
 #include "base/length_text.hpp"
 #include "base/number_text.hpp"
-#include "base/unlisted_value.hpp"
 #include "scene/measure_subject.hpp"
 #include "scene/step_margins.hpp"
 #include "solver/forcing/driven.hpp"
@@ -194,42 +193,19 @@ class Warnings {
                         "leave the join out, or enable the part");
     }
 
-    /// Of the fluid as a whole, where there is none.
+    /// Of the fluid, where there is none.
     void about_measure_of_fluid(const Measure& measure) {
-        switch (*measure.kind) {
-            case MeasureKind::flux:
-            case MeasureKind::largest_speed:
-            case MeasureKind::density:
-            case MeasureKind::kinetic_energy:
-                return add("measure." + *measure.name + ".kind", measure.kind.location,
-                           "is of the fluid, and no part is a fluid: '" + *measure.name + "' says nothing",
-                           springs_ ? "measure the displacement of an elastic solid instead" : "leave the measure out");
-            case MeasureKind::gap:
-            case MeasureKind::displacement:
-            case MeasureKind::aggregate:
-            case MeasureKind::probe:
-            case MeasureKind::line:
-            case MeasureKind::mode:
-            case MeasureKind::amount:
-            case MeasureKind::mean_concentration:
-            case MeasureKind::profile:
-            case MeasureKind::spread:
-            case MeasureKind::wall_flux:
-            case MeasureKind::peclet:
-            case MeasureKind::uptake:
-            case MeasureKind::velocity:
-            case MeasureKind::spin:
-            case MeasureKind::wall_force:
-            case MeasureKind::detached:
-                return;
-        }
-        unlisted_value(*measure.kind);
+        const MeasureSubject subject = subject_of(measure.kind);
+        if (subject != MeasureSubject::any && subject != MeasureSubject::flow) return;
+        add("measure." + *measure.name + ".kind", measure.kind.location,
+            "is of the fluid, and no part is a fluid: '" + *measure.name + "' says nothing",
+            springs_ ? "measure the displacement of an elastic solid instead" : "leave the measure out");
     }
 
     void about_measures() {
         for (const Measure& measure : scene_.measures) {
             if (!fluid_) about_measure_of_fluid(measure);
-            if (*measure.kind != MeasureKind::gap && *measure.kind != MeasureKind::displacement) continue;
+            if (!is_of_elastic_part(measure.kind)) continue;
             const Part* part = scene_.part_named(measure.part);
             if (part != nullptr && !*part->enabled)
                 add("measure." + *measure.name + ".part", measure.part.location,

@@ -73,7 +73,6 @@ class Ending:
     message: str  # of the error, or the warnings
     deviation: Optional[float]
     wall: float
-    steps: int = 0
 
 
 def error_text(stderr):
@@ -120,7 +119,7 @@ def run(program, extreme):
             how = "right"
         else:
             how = "warned" if extreme.says and any(extreme.says in text for text in said) else "silent"
-        return Ending(how, "; ".join(said), off, wall, results.summary["steps"])
+        return Ending(how, "; ".join(said), off, wall)
 
 
 def as_expected(extreme, ending):

@@ -58,7 +58,6 @@ def discs(gap, radius=1e-3, across=20):
     geo += f"Disk(2) = {{{-away!r}, 0, 0, {radius!r}}};\nDisk(3) = {{{away!r}, 0, 0, {radius!r}}};\n"
     geo += "BooleanDifference(4) = { Surface{1}; Delete; }{ Surface{2, 3}; };\n"
     geo += "Physical Surface(\"liquid\") = {4};\nPhysical Surface(\"left\") = {2};\nPhysical Surface(\"right\") = {3};\n"
-    geo += f"outer() = Curve In BoundingBox {{{-3.1 * radius!r}, {-2.1 * radius!r}, -1, {3.1 * radius!r}, {2.1 * radius!r}, 1}};\n"
     geo += "all() = Boundary{ Surface{4}; };\nPhysical Curve(\"wall\") = {all()};\n"
     half = min(away, radius)
     lens = 2 * (radius**2 * math.acos(half / radius) - half * math.sqrt(radius**2 - half**2))

@@ -182,7 +182,8 @@ class Forgotten(unittest.TestCase):
         self.refused("study/measure_columns.cpp", self.measure("flow"), NOT_HANDLED)
 
     def test_measure_without_a_row(self):
-        for subject, file in (("flow", "solver/output/measures.cpp"), ("species", "solver/output/species_measures.cpp"),
+        for subject, file in (("flow", "solver/output/measures.cpp"), ("solids", "solver/output/measures.cpp"),
+                              ("species", "solver/output/species_measures.cpp"),
                               ("spheres", "solver/spheres/sphere_measures.cpp")):
             self.refused(file, self.measure(subject), "static assertion failed")
 
