@@ -144,11 +144,12 @@ struct Solidify {
     Value<int> seed = 1;  ///< of the random numbers
 };
 
-/// [[break]]: bonds that break under tension.
+/// [[break]]: bonds, or faces between the cells of a solid, that break under tension.
 struct Breaking {
     Value<std::string> name;
     Value<std::string> part;           ///< elastic solid, [[solidify]] or [[join]] whose bonds break
-    Value<double> force_above = 0.0;   ///< [N]; 0: no limit by force
+    Value<double> force_above = 0.0;   ///< of bonds [N]; 0: no limit by force
+    Value<double> stress_above = 0.0;  ///< of solids of cells [Pa]; 0: no limit by stress
     Value<double> strain_above = 0.0;  ///< [-]; 0: no limit by strain
     Value<double> interval = 0.0;      ///< between checks [s]; 0: every step
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/unlisted_value.hpp"
 #include "scene/measure_subject.hpp"
 
 namespace dmp::scene {
@@ -52,6 +53,17 @@ std::vector<const Join*> Scene::joins_of_enabled() const {
     for (const Join& join : joins)
         if (std::ranges::all_of(*join.parts, is_enabled)) found.push_back(&join);
     return found;
+}
+
+bool Scene::is_of_cells(const Part& part) const {
+    if (*part.kind != PartKind::elastic) return false;
+    switch (*part.model) {
+        case ElasticModel::springs:
+            return false;
+        case ElasticModel::cells:
+            return true;
+    }
+    unlisted_value(*part.model);
 }
 
 const Part* Scene::part_named(const std::string& name) const {

@@ -99,11 +99,22 @@ void check_activity(const Solidify& rule) {
 void check_breaking(const Scene& scene, const Breaking& rule) {
     const auto is_it = [&](const Join& join) { return *join.name == *rule.part; };
     if (std::ranges::none_of(scene.joins, is_it)) need_solid(scene, rule.part, "break", *rule.name);
-    if (rule.force_above.given() == rule.strain_above.given())
-        throw InputError(rule.force_above.given() ? rule.strain_above.location : rule.name.location,
-                         "break '" + *rule.name + "' has " +
-                             (rule.force_above.given() ? "two limits" : "no limit: nothing would ever break"),
-                         "give force_above or strain_above");
+    const std::string named = "break '" + *rule.name + "'";
+    const Part* part = scene.part_named(*rule.part);
+    const bool of_cells = part != nullptr && scene.is_of_cells(*part);
+    const Value<double>&fits = of_cells ? rule.stress_above : rule.force_above,
+          &does_not = of_cells ? rule.force_above : rule.stress_above;
+    const std::string limits = of_cells ? "stress_above or strain_above" : "force_above or strain_above";
+    if (does_not.given())
+        throw InputError(
+            does_not.location,
+            named + (of_cells ? ": force_above is for bonds, and '" + *rule.part + "' consists of cells"
+                              : ": stress_above is for solids of cells, and '" + *rule.part + "' consists of bonds"),
+            "give " + limits);
+    if (fits.given() == rule.strain_above.given())
+        throw InputError(fits.given() ? rule.strain_above.location : rule.name.location,
+                         named + " has " + (fits.given() ? "two limits" : "no limit: nothing would ever break"),
+                         "give " + limits);
 }
 
 }  // namespace

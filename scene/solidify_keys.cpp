@@ -60,13 +60,15 @@ std::vector<Key<Solidify>> solidify_keys() {
 std::vector<Key<Breaking>> breaking_keys() {
     return {
         {"name", &Breaking::name, name(), required, "Name of the rule."},
-        {"part", &Breaking::part, name(), required, "Elastic part, [[solidify]] or [[join]] whose bonds may break."},
+        {"part", &Breaking::part, name(), required, "Elastic part, [[solidify]] or [[join]] that may break."},
         {"force_above", &Breaking::force_above, quantity("1 mN", positive), not_given,
          "Tension 2 k_b (r - r0) above which a bond breaks; or give strain_above."},
+        {"stress_above", &Breaking::stress_above, quantity("1 MPa", positive), not_given,
+         "Solids of cells: principal tension above which the face between two cells breaks; or give strain_above."},
         {"strain_above", &Breaking::strain_above, number(positive), not_given,
-         "Strain (r - r0) / r0 above which a bond breaks; or give force_above."},
+         "Strain above which a bond breaks, (r - r0) / r0, or, in a solid of cells, a face: the principal one."},
         {"interval", &Breaking::interval, quantity("1 ms", positive), not_given,
-         "Time between checks of the bonds; every time step by default."},
+         "Time between checks of the bonds or faces; every time step by default."},
     };
 }
 // clang-format on

@@ -97,7 +97,7 @@ void check_elastic_material(const Scene& scene, const Part& part) {
     need(part.youngs_modulus.given(), "youngs_modulus", "2 MPa");
 }
 
-/// Cells are for areas and volumes, and stand alone: nothing is bonded to them yet, and they do not break.
+/// Cells are for areas and volumes, and stand alone: nothing is bonded to them.
 void check_cells(const Scene& scene, const Part& part) {
     const std::string part_name = "part '" + *part.name + "'";
     const auto use_springs = [](const std::string& key) { return "write model = \"springs\", or leave out " + key; };
@@ -129,11 +129,12 @@ void check_cells(const Scene& scene, const Part& part) {
                 throw InputError(join->parts.location,
                                  "'" + *join->name + "' joins '" + joined + "', a solid of cells, which takes no bonds",
                                  use_springs("the [[join]]"));
-    if (scene.changes_bodies())
-        throw InputError(
-            part.model.location,
-            part_name + " is made of cells, and bonds form or break in this scene ([[solidify]], [[break]])",
-            "write model = \"springs\"");
+    for (const Solidify& rule : scene.solidify)
+        if (rule.seed_part.given() && *rule.seed_part == *part.name)
+            throw InputError(
+                rule.seed_part.location,
+                "'" + *rule.name + "' grows from '" + *part.name + "', a solid of cells, which takes no bonds",
+                use_springs("the [[solidify]]"));
 }
 
 }  // namespace

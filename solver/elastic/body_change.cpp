@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "models/springs/spring.hpp"
+#include "solver/elastic/cut_cells.hpp"
 
 namespace dmp::solver {
 
@@ -50,8 +52,9 @@ class Graph {
 
     /// Returns the origin of the bond, or -1 if there is none.
     int cut(const std::array<int, 2>& ids) {
+        if (!number_.contains(ids[0]) || !number_.contains(ids[1])) return -1;  // of a solid of cells
         const Ends ends = in_order(number_.at(ids[0]), number_.at(ids[1]));
-        auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = all_;  // all: one more does not compile
+        auto& [nodes, bonds, hinges, dihedrals, cells, faces, held_apart] = all_;  // all: one more does not compile
         const auto found =
             std::ranges::find_if(bonds, [&](const auto& bond) { return in_order(bond.node[0], bond.node[1]) == ends; });
         if (found == bonds.end()) return -1;
@@ -78,7 +81,7 @@ class Graph {
             for (const auto& spring : springs)
                 for (const int node : spring.node) together.join(node, spring.node[0]);
         };
-        const auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = all_;
+        const auto& [nodes, bonds, hinges, dihedrals, cells, faces, held_apart] = all_;
         join(bonds);
         join(hinges);
         join(dihedrals);
@@ -120,7 +123,7 @@ class Graph {
 
   private:
     void append(const BodyParts& body) {
-        if (!body.cells.empty()) throw std::logic_error("bodies of cells are neither cut nor joined");
+        if (!body.cells.empty()) throw std::logic_error("bodies of cells are not joined");
         const int first = static_cast<int>(all_.nodes.size());
         const int own = static_cast<int>(members_.size());
         members_.emplace_back();
@@ -137,7 +140,7 @@ class Graph {
                 to.push_back(spring);
             }
         };
-        const auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = body;
+        const auto& [nodes, bonds, hinges, dihedrals, cells, faces, held_apart] = body;
         add(all_.bonds, bonds);
         add(all_.hinges, hinges);
         add(all_.dihedrals, dihedrals);
@@ -182,14 +185,26 @@ class Graph {
 
 ChangedBodies change_bodies(const std::vector<BodyParts>& bodies, const BodyChange& change,
                             const ParticleSpace& space) {
-    Graph graph(bodies, space);
+    std::vector<BodyParts> of_springs;
     ChangedBodies changed;
+    std::vector<BodyParts> pieces;
+    for (const BodyParts& body : bodies) {
+        if (body.cells.empty()) {
+            of_springs.push_back(body);
+            continue;
+        }
+        CutSolid cut = cut_faces(body, change.broken, space.dimension);
+        std::ranges::move(cut.pieces, std::back_inserter(pieces));
+        changed.broken.insert(changed.broken.end(), cut.broken.begin(), cut.broken.end());
+    }
+    Graph graph(of_springs, space);
     for (const BodyParts::Node& node : change.nodes) graph.add(node);
     for (const BodyChange::Bond& bond : change.bonds)
         if (graph.bond(bond)) changed.made.push_back(bond.origin);
     for (const auto& ends : change.broken)
         if (const int origin = graph.cut(ends); origin >= 0) changed.broken.push_back(origin);
     changed.bodies = graph.pieces();
+    std::ranges::move(pieces, std::back_inserter(changed.bodies));
     return changed;
 }
 

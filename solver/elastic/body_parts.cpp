@@ -143,6 +143,10 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
 
 namespace {
 
+[[noreturn]] void refuse_damaged_bodies() {
+    throw InputError("the checkpoint's elastic bodies are damaged", "start the run anew");
+}
+
 /// A sequence of numbers, for reading and for writing.
 class Stream {
   public:
@@ -151,7 +155,7 @@ class Stream {
 
     void operator()(double& value) {
         if (reading_) {
-            if (at_end()) refuse_damaged();
+            if (at_end()) refuse_damaged_bodies();
             value = numbers_[next_++];
         } else {
             numbers_.push_back(value);
@@ -167,7 +171,7 @@ class Stream {
         auto size = static_cast<int>(values.size());
         (*this)(size);
         // Each entry takes a number at least.
-        if (reading_ && (size < 0 || static_cast<std::size_t>(size) > numbers_.size() - next_)) refuse_damaged();
+        if (reading_ && (size < 0 || static_cast<std::size_t>(size) > numbers_.size() - next_)) refuse_damaged_bodies();
         values.resize(static_cast<std::size_t>(size));
         for (T& value : values) each(value);
     }
@@ -178,17 +182,28 @@ class Stream {
         auto number = static_cast<double>(value);
         (*this)(number);
         const double end = std::ldexp(1.0, std::numeric_limits<T>::digits);  // a maximum may round up to it
-        if (!(number >= static_cast<double>(std::numeric_limits<T>::min()) && number < end)) refuse_damaged();
+        if (!(number >= static_cast<double>(std::numeric_limits<T>::min()) && number < end)) refuse_damaged_bodies();
         value = static_cast<T>(number);
     }
-    [[noreturn]] static void refuse_damaged() {
-        throw InputError("the checkpoint's elastic bodies are damaged", "start the run anew");
-    }
-
     std::vector<double>& numbers_;
     bool reading_;
     std::size_t next_ = 0;
 };
+
+void archive_cell(Stream& through, BodyParts::Cell& cell) {
+    auto& [id, node, shift, size, centroid, moment, volume, mass, law, youngs_modulus, poisson_ratio, relaxation, drag,
+           origin] = cell;  // all: one more does not compile
+    through(id);
+    for (int& corner : node) through(corner);
+    for (Vec& of_corner : shift) through(of_corner);
+    for (Vec* vector : {&size, &centroid, &moment}) through(*vector);
+    auto number = static_cast<int>(law.number());
+    through(number);
+    if (number < 0 || static_cast<std::size_t>(number) >= ElasticLaws::size) refuse_damaged_bodies();
+    law = ElasticLaw(static_cast<std::size_t>(number));
+    for (double* value : {&volume, &mass, &youngs_modulus, &poisson_ratio, &relaxation, &drag}) through(*value);
+    through(origin);
+}
 
 /// Whether all springs and pairs are between nodes that the body has.
 bool joins_own_nodes(const BodyParts& body) {
@@ -196,10 +211,15 @@ bool joins_own_nodes(const BodyParts& body) {
     const auto all_own = [&](const auto& springs) {
         return std::ranges::all_of(springs, [&](const auto& spring) { return std::ranges::all_of(spring.node, own); });
     };
-    const auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = body;  // all: one more does not compile
+    const auto& [nodes, bonds, hinges, dihedrals, cells, faces, held_apart] = body;  // all: one more does not compile
     const std::size_t particles = cells.empty() ? nodes.size() : cells.size();
     const auto is_particle = [&](int k) { return k >= 0 && static_cast<std::size_t>(k) < particles; };
+    const auto is_cell = [&](int k) { return k >= 0 && static_cast<std::size_t>(k) < cells.size(); };
     return all_own(bonds) && all_own(hinges) && all_own(dihedrals) && all_own(cells) &&
+           std::ranges::all_of(faces,
+                               [&](const auto& face) {
+                                   return std::ranges::all_of(face.cell, is_cell) && face.axis >= 0 && face.axis < 3;
+                               }) &&
            std::ranges::all_of(held_apart,
                                [&](const auto& pair) { return is_particle(pair.first) && is_particle(pair.second); });
 }
@@ -221,12 +241,12 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
     };
     if (file.loading()) bodies.clear();
     through.list(bodies, [&](BodyParts& body) {
-        auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = body;
-        if (!cells.empty()) throw std::logic_error("bodies of cells do not change, and are not stored");
+        auto& [nodes, bonds, hinges, dihedrals, cells, faces, held_apart] = body;
         through.list(nodes, [&](BodyParts::Node& node) {
             through(node.id);
             through(node.fixed);
             through(node.of_wall);
+            for (bool& on_plane : node.on_plane) through(on_plane);
             through(node.origin);
             through(node.mass);
             through(node.drag);
@@ -236,6 +256,11 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
         springs(bonds);
         springs(hinges);
         springs(dihedrals);
+        through.list(cells, [&](BodyParts::Cell& cell) { archive_cell(through, cell); });
+        through.list(faces, [&](BodyParts::Face& face) {
+            for (int& cell : face.cell) through(cell);
+            through(face.axis);
+        });
         through.list(held_apart, [&](std::pair<int, int>& pair) {
             through(pair.first);
             through(pair.second);

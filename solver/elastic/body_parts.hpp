@@ -50,7 +50,13 @@ struct BodyParts {
         double youngs_modulus = 0;  ///< [Pa]
         double poisson_ratio = 0;
         double relaxation = 0;  ///< of its damping: viscous over elastic moduli [s]
+        double drag = 0;        ///< lab-frame drag, of which its nodes have their shares [kg/s]
         int origin = 0;         ///< as for a node
+    };
+    /// What a cell, the first, and the next one along an axis share: the solid between them has not broken.
+    struct Face {
+        std::array<int, 2> cell{};
+        int axis = 0;
     };
 
     std::vector<Node> nodes;
@@ -58,6 +64,7 @@ struct BodyParts {
     std::vector<Spring<3>> hinges;
     std::vector<Spring<4>> dihedrals;
     std::vector<Cell> cells;
+    std::vector<Face> faces;
     /// Pairs of particles (nodes, or cells where there are any) whose distance the body controls: contact ignores them.
     /// Sorted, with the lower number first.
     std::vector<std::pair<int, int>> held_apart;

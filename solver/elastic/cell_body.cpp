@@ -19,7 +19,7 @@ Vec in_space(const Vector<double, D>& point) {
 
 template <int D>
 CellBody<D>::CellBody(const BodyParts& parts, const std::string& name, double spacing, const SpringContact& contact)
-    : SpringBody(name), network_(parts, name, spacing, {}), cells_(parts.cells) {
+    : SpringBody(name), network_(parts, name, spacing, {}), cells_(parts.cells), faces_(parts.faces) {
     for (const BodyParts::Cell& cell : cells_) {
         ids_.push_back(cell.id);
         mass_.push_back(cell.mass);
@@ -36,6 +36,7 @@ template <int D>
 BodyParts CellBody<D>::parts() const {
     BodyParts parts = network_.parts();
     parts.cells = cells_;
+    parts.faces = faces_;
     if (self_contact_) parts.held_apart = self_contact_->held_apart();
     return parts;
 }
@@ -142,6 +143,33 @@ std::vector<std::array<double, 6>> CellBody<D>::virial() const {
 template <int D>
 std::optional<std::array<double, 2>> CellBody<D>::strains(std::size_t node) const {
     return cell(node).element.principal_strains(cell(node).at(network_.positions()));
+}
+
+template <int D>
+std::optional<std::array<int, 2>> CellBody<D>::overloaded_face(const SolidBreak& law, int origin) const {
+    struct State {
+        Matrix<D> stress, gradient;
+    };
+    std::vector<State> of_cell;
+    of_cell.reserve(cells_.size());
+    for (const LocalCell<D>& cell : network_.cells()) {
+        const auto corners = cell.at(network_.positions());
+        of_cell.push_back({cell.stress(corners).template topLeftCorner<D, D>(), cell.element.gradient(corners)});
+    }
+    std::optional<std::array<int, 2>> worst;
+    double highest = 0;
+    for (const BodyParts::Face& face : faces_) {
+        if (origin_[face.cell[0]] != origin) continue;
+        const State &low = of_cell[face.cell[0]], &high = of_cell[face.cell[1]];
+        const FaceState<D> between{0.5 * (low.stress + high.stress), 0.5 * (low.gradient + high.gradient), face.axis};
+        const SolidBreak::Load load = law.load(between);
+        if (!(load.excess > 0) || load.rank < highest) continue;
+        const auto [a, b] = std::minmax(ids_[face.cell[0]], ids_[face.cell[1]]);
+        const std::array<int, 2> ids{a, b};
+        if (!worst || load.rank > highest || ids < *worst) worst = ids;
+        highest = load.rank;
+    }
+    return worst;
 }
 
 template <int D>

@@ -50,6 +50,7 @@ class CellBody final : public SpringBody {
     [[nodiscard]] std::vector<std::array<double, 6>> virial() const override;
     [[nodiscard]] double volume_ratio(std::size_t node) const override;
     [[nodiscard]] std::optional<std::array<double, 2>> strains(std::size_t node) const override;
+    [[nodiscard]] std::optional<std::array<int, 2>> overloaded_face(const SolidBreak& law, int origin) const override;
     void archive(Archive& file, const std::string& name) override { network_.archive(file, name); }
 
     [[nodiscard]] const Network& network() const { return network_; }
@@ -63,6 +64,7 @@ class CellBody final : public SpringBody {
 
     Network network_;
     std::vector<BodyParts::Cell> cells_;  ///< as they were made
+    std::vector<BodyParts::Face> faces_;
     std::unique_ptr<SelfContact<D>> self_contact_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "models/elastic/elastic_cell.hpp"
 #include "solver/elastic/body_parts.hpp"
+#include "solver/elastic/cut_cells.hpp"
 #include "solver/elastic/self_contact.hpp"
 
 namespace dmp::solver {
@@ -55,6 +56,7 @@ BodyParts initial_cells(const ParticleSet& set, const InitialSprings& drawn, int
         cell.poisson_ratio = source.poisson_ratio;
         cell.relaxation =
             relaxation_of(source.damping, from.size.head(set.dimension).minCoeff(), cell.mass / cell.volume, source);
+        cell.drag = source.drag_of(cell.mass);
         cell.origin = source.origin;
         for (int k = 0; k < corners; ++k) {
             const int number = from.node[static_cast<std::size_t>(k)];
@@ -72,11 +74,12 @@ BodyParts initial_cells(const ParticleSet& set, const InitialSprings& drawn, int
             cell.shift[static_cast<std::size_t>(k)] = from.shift(k, set.box);
             BodyParts::Node& node = parts.nodes[static_cast<std::size_t>(known->second)];
             node.mass += share[k] * cell.mass;
-            node.drag += share[k] * source.drag_of(cell.mass);
+            node.drag += share[k] * cell.drag;
         }
         parts.cells.push_back(cell);
         positions.push_back(set.position[particle]);
     }
+    parts.faces = faces_between(parts.cells, 1 << set.dimension);
     if (contact_range > 0)
         parts.held_apart = pairs_within(positions, set.dimension,
                                         neighbourhood_of_contact(contact_range, std::sqrt(2.0) * set.spacing));

@@ -142,7 +142,8 @@ void SpringBodies::archive_parts(Archive& file) {
     };
     bodies_.clear();
     for (const BodyParts& body : parts) {
-        const auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = body;  // all: one more does not compile
+        const auto& [nodes, bonds, hinges, dihedrals, cells, faces, held_apart] =
+            body;  // all: one more does not compile
         const bool has_own = !std::ranges::all_of(nodes, [](const auto& node) { return node.of_wall; });
         if (!has_own || !std::ranges::all_of(nodes, known) || !std::ranges::all_of(bonds, known) ||
             !std::ranges::all_of(hinges, known) || !std::ranges::all_of(dihedrals, known) ||

@@ -10,6 +10,7 @@
 
 #include "base/errors.hpp"
 #include "base/vec.hpp"
+#include "models/elastic/solid_break.hpp"
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/elastic/body_parts.hpp"
@@ -105,6 +106,13 @@ class SpringBody {
 
     /// Least and largest principal strain of the particle (Green's) [-]; none where it consists of springs.
     [[nodiscard]] virtual std::optional<std::array<double, 2>> strains(std::size_t /*node*/) const { return {}; }
+
+    /// Ids of the two cells between which a face breaks now: of those of this origin that are beyond the law's limit
+    /// the one with the highest rank, of equals the one with the lowest ids. None where it consists of springs.
+    [[nodiscard]] virtual std::optional<std::array<int, 2>> overloaded_face(const SolidBreak& /*law*/,
+                                                                            int /*origin*/) const {
+        return {};
+    }
 
     virtual void archive(Archive& file, const std::string& name) = 0;
 

@@ -34,7 +34,7 @@ template <int D>
 SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name, double spacing,
                                 const SpringContact& contact)
     : SpringBody(name), spacing_(spacing) {
-    const auto& [nodes, bonds, hinges, dihedrals, cells, held_apart] = parts;  // all: one more does not compile
+    const auto& [nodes, bonds, hinges, dihedrals, cells, faces, held_apart] = parts;  // all: one more does not compile
     for (const BodyParts::Node& node : nodes) {
         ids_.push_back(node.id);
         fixed_.push_back(node.fixed ? 1 : 0);

@@ -95,6 +95,7 @@ class Models {
     void add_walls();
     void add_elastic(const SpringBodies& springs);
     void add_species();
+    void add_breaking(const Breaking& rule);
     void add_solidifying_and_breaking();
     void add_what_is_shown();
 
@@ -251,6 +252,17 @@ void Models::add_species() {
             because(scene_.numerics.species_stepping, "numerics.species_stepping"));
 }
 
+void Models::add_breaking(const Breaking& rule) {
+    const Part* part = scene_.part_named(*rule.part);
+    const bool of_cells = part != nullptr && scene_.is_of_cells(*part);
+    const std::string limit = rule.force_above > 0    ? "2 k_b (r - r0) > " + three_digits(rule.force_above) + " N"
+                              : rule.stress_above > 0 ? "principal tension > " + three_digits(rule.stress_above) + " Pa"
+                                                      : (of_cells ? "principal strain > " : "(r - r0) / r0 > ") +
+                                                            three_digits(rule.strain_above);
+    add((of_cells ? "breaking faces of '" : "breaking bonds of '") + *rule.part + "'", limit,
+        "break '" + *rule.name + "' at " + rule.name.location.text());
+}
+
 void Models::add_solidifying_and_breaking() {
     for (const Solidify& rule : scene_.solidify) {
         add("liquid turning solid as '" + *rule.name + "'", solidify_rule_text(rule),
@@ -260,11 +272,7 @@ void Models::add_solidifying_and_breaking() {
                                                                : std::string("the distance when a bond is made")),
             because(rule.bond_stiffness, "bond_stiffness"));
     }
-    for (const Breaking& rule : scene_.breaking)
-        add("breaking bonds of '" + *rule.part + "'",
-            rule.force_above > 0 ? "2 k_b (r - r0) > " + three_digits(rule.force_above) + " N"
-                                 : "(r - r0) / r0 > " + three_digits(rule.strain_above),
-            "break '" + *rule.name + "' at " + rule.name.location.text());
+    for (const Breaking& rule : scene_.breaking) add_breaking(rule);
     const bool has_solids = !scene_.parts_of(PartKind::rigid).empty() || scene_.may_have_elastic();
     if (scene_.contact.range > 0 && has_solids)
         add("short-range repulsion",

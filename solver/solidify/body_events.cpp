@@ -22,6 +22,32 @@ std::optional<std::array<int, 2>> overloaded_bond(const SpringBody& body, const 
     return worst;
 }
 
+namespace {
+
+std::variant<BondBreak, SolidBreak> law_of(const Scene& scene, const Breaking& rule) {
+    const Part* part = scene.part_named(*rule.part);
+    if (part != nullptr && scene.is_of_cells(*part)) {
+        if (rule.stress_above > 0) return SolidBreak{SolidBreak::Criterion::stress, rule.stress_above};
+        return SolidBreak{SolidBreak::Criterion::strain, rule.strain_above};
+    }
+    if (rule.force_above > 0) return BondBreak{BreakCriterion::force, rule.force_above};
+    return BondBreak{BreakCriterion::strain, rule.strain_above};
+}
+
+/// What breaks of a body, if anything does.
+struct Overloaded {
+    const SpringBody& body;
+    int origin;
+    std::optional<std::array<int, 2>> operator()(const BondBreak& law) const {
+        return overloaded_bond(body, law, origin);
+    }
+    std::optional<std::array<int, 2>> operator()(const SolidBreak& law) const {
+        return body.overloaded_face(law, origin);
+    }
+};
+
+}  // namespace
+
 BodyEvents::BodyEvents(const Scene& scene, const ParticleSet& set, const Ranks& ranks) {
     for (int number = 0; number < static_cast<int>(scene.solidify.size()); ++number) {
         const Solidify& rule = scene.solidify[static_cast<std::size_t>(number)];
@@ -30,12 +56,8 @@ BodyEvents::BodyEvents(const Scene& scene, const ParticleSet& set, const Ranks& 
     }
     const auto names = body_names(scene);
     for (const Breaking& rule : scene.breaking) {
-        const bool by_force = rule.force_above > 0;
-        breaks_.push_back({*rule.name,
-                           {by_force ? BreakCriterion::force : BreakCriterion::strain,
-                            by_force ? rule.force_above.value : rule.strain_above.value},
-                           static_cast<int>(std::ranges::find(names, *rule.part) - names.begin()),
-                           rule.interval == 0,
+        breaks_.push_back({*rule.name, law_of(scene, rule),
+                           static_cast<int>(std::ranges::find(names, *rule.part) - names.begin()), rule.interval == 0,
                            Schedule(rule.interval > 0 ? rule.interval.value : 1)});
     }
 }
@@ -54,7 +76,7 @@ bool BodyEvents::act(double time, ParticleStore& particles, FluidStep& fluid) {
         if (!each.every_step && !each.times.due(time)) continue;
         BodyChange change;
         for (const auto& body : fluid.springs().bodies())
-            if (const auto ends = overloaded_bond(*body, each.law, each.origin)) change.broken.push_back(*ends);
+            if (const auto ends = std::visit(Overloaded{*body, each.origin}, each.law)) change.broken.push_back(*ends);
         if (change.empty()) continue;
         fluid.refresh_neighbours();
         fluid.change_bodies(change);

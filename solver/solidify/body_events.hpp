@@ -4,8 +4,10 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
+#include "models/elastic/solid_break.hpp"
 #include "models/springs/bond_break.hpp"
 #include "solver/solidify/solidification.hpp"
 #include "solver/state/schedule.hpp"
@@ -34,7 +36,7 @@ class BodyEvents {
     };
     struct Breaks {
         std::string name;
-        BondBreak law;
+        std::variant<BondBreak, SolidBreak> law;
         int origin;
         bool every_step;
         Schedule times;

@@ -142,6 +142,9 @@ class CellsOnRanks : public ::testing::TestWithParam<std::tuple<int, SpringStepp
   protected:
     SceneAndParticles made_ = solid_in_water(std::get<0>(GetParam()), std::get<1>(GetParam()));
     Ranks ranks_ = Ranks::world();
+
+    [[nodiscard]] static int dimension() { return std::get<0>(GetParam()); }
+    [[nodiscard]] std::size_t count_of_solid() const { return made_.particles.cells.size(); }
 };
 
 TEST_P(CellsOnRanks, are_the_same_bits_on_any_number_of_ranks) {
@@ -247,6 +250,43 @@ TEST_P(CellsOnRanks, feel_a_force_by_their_initial_places_also_after_a_restart) 
     ranks_.broadcast(folder);
     const RunSummary resumed = run_on(made_, Ranks::alone(), stopped_halfway(made_, ranks_, folder));
     EXPECT_EQ(resumed.state_hash, alone.state_hash);
+    if (ranks_.is_first()) {
+        EXPECT_EQ(shared.state_hash, alone.state_hash);
+    }
+    (void)ranks_.largest(0);  // the first rank's folder is there until all have read
+}
+
+TEST_P(CellsOnRanks, tear_at_the_same_places_also_after_a_restart) {
+    ForceOnPart pull;
+    pull.name = std::string("pull");
+    pull.part = std::string("solid");
+    pull.amount = ForceAmount::per_particle;
+    const double strength = dimension() == 3 ? 0.02 : 0.2;
+    const std::string formula = std::to_string(strength) + "*(X>0.65?1:-1)";
+    pull.force = std::array{Expression(formula, ""), Expression(), Expression()};
+    made_.scene.forces = {pull};
+    Breaking tear;
+    tear.name = std::string("tear");
+    tear.part = std::string("solid");
+    tear.stress_above = 1.0;
+    made_.scene.breaking = {tear};
+    if (dimension() == 2) made_.scene.run.duration = 0.1;
+    made_.scene.output.every = 0.02;
+    const RunSummary alone = run_on(made_, Ranks::alone()), shared = run_on(made_, ranks_);
+    EXPECT_LT(shared.momentum_residual, 1e-12);
+    const Aggregate& solid = alone.aggregates.at(0);
+    EXPECT_EQ(static_cast<std::size_t>(solid.particles), count_of_solid());
+    EXPECT_GT(solid.bonds_broken, 4);
+    if (dimension() == 2) {  // in 3-D many faces have to break
+        EXPECT_GT(solid.pieces, 1);
+    }
+    const TemporaryFolder on_each;
+    std::string folder = on_each.path().string();
+    ranks_.broadcast(folder);
+    const RunSummary resumed = run_on(made_, Ranks::alone(), stopped_halfway(made_, ranks_, folder));
+    EXPECT_EQ(resumed.state_hash, alone.state_hash);
+    EXPECT_EQ(resumed.aggregates.at(0).bonds_broken, solid.bonds_broken);
+    EXPECT_EQ(shared.aggregates.at(0).pieces, solid.pieces);
     if (ranks_.is_first()) {
         EXPECT_EQ(shared.state_hash, alone.state_hash);
     }

@@ -68,8 +68,27 @@ TEST(SceneCells, that_cannot_be_are_refused) {
     EXPECT_THAT(fault(area + "poisson_ratio = 0.25\nelastic_law = \"neo_hookean\""),
                 AllOf(HasSubstr("elastic_law is for solids of cells"), HasSubstr("model = \"cells\"")));
     EXPECT_THAT(fault(area + cells + "elastic_law = \"rubber\""), HasSubstr("neo_hookean"));
-    const std::string implicit =
-        scene_with(strip, area + cells + "poisson_ratio = 0.3") + "\n[numerics]\nviscosity_stepping = \"implicit\"\n";
+}
+
+TEST(SceneCells, break_by_stress_or_strain_and_springs_by_force_or_strain) {
+    const std::string area = "density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\n", cells = "model = \"cells\"\n";
+    const auto breaking = [&](const std::string& part, const std::string& limit) {
+        return scene_with(strip, part) + "\n[[break]]\nname = \"tear\"\npart = \"leaflets\"\n" + limit;
+    };
+    const Scene scene = read_text(breaking(area + cells, "stress_above = \"40 kPa\""));
+    EXPECT_EQ(*scene.breaking[0].stress_above, 4e4);
+    EXPECT_TRUE(scene.is_of_cells(scene.parts[2]));
+    EXPECT_FALSE(read_text(scene_with(strip, strip)).is_of_cells(scene.parts[0]));
+    EXPECT_EQ(*read_text(breaking(area + cells, "strain_above = 0.1")).breaking[0].strain_above, 0.1);
+    EXPECT_THAT(fault_of(breaking(area + cells, "force_above = \"1 N\"")),
+                AllOf(HasSubstr("force_above is for bonds, and 'leaflets' consists of cells"),
+                      HasSubstr("give stress_above or strain_above")));
+    EXPECT_THAT(fault_of(breaking(strip, "stress_above = \"1 Pa\"")),
+                AllOf(HasSubstr("stress_above is for solids of cells, and 'leaflets' consists of bonds"),
+                      HasSubstr("give force_above or strain_above")));
+    EXPECT_THAT(fault_of(breaking(area + cells, "")), HasSubstr("give stress_above or strain_above"));
+    EXPECT_THAT(fault_of(breaking(area + cells, "stress_above = \"1 Pa\"\nstrain_above = 0.1")),
+                HasSubstr("two limits"));
 }
 
 TEST(SceneSprings, with_bonds_within_are_solids_of_one_poisson_ratio) {

@@ -153,14 +153,15 @@ TEST_F(ForgedCheckpoint, WithMoreBodiesThanItHolds) {
     }
 }
 
-/// The numbers of a body: how many nodes, for each its id, whether it is held, of a wall, its origin, ...
+/// The numbers of a body: how many nodes, for each its id, whether it is held, of a wall, on planes of symmetry (3),
+/// its origin, ...
 TEST_F(ForgedCheckpoint, WithABodyOfNoSolid) {
-    forge<double>("springs/bodies", 5, 77);
+    forge<double>("springs/bodies", 8, 77);
     EXPECT_THAT(refusal(), HasSubstr("a body of no solid of the scene"));
 }
 
 TEST_F(ForgedCheckpoint, WithSpringsBetweenNodesThatAreNotThere) {
-    constexpr std::size_t numbers_of_node = 6 + 4 * 3;
+    constexpr std::size_t numbers_of_node = 6 + 3 + 4 * 3;
     const auto nodes = static_cast<std::size_t>(Hdf5Reader(file_).array<double>("springs/bodies").at(1));
     forge<double>("springs/bodies", 2 + nodes * numbers_of_node + 1, 1e6);
     EXPECT_THAT(refusal(), HasSubstr("springs between nodes that are not there"));
