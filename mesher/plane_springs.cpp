@@ -135,15 +135,16 @@ void ParticleBuilder::add_elastic(const Part& part) {
     MeshReport::SpringLine line;
     line.part = part.name;
     const auto solid = std::ranges::find(solids_, &part, &SpringSolid::part);
+    const std::size_t first = result_.particles.size();
     if (solid != solids_.end()) {
-        const std::size_t first = result_.particles.size();
         add_solid(*solid, number, line);
-        if (!solid->cells) note_open_ends(result_.particles, first, part.name, result_.report.notes);
+        if (!solid->cells) note_open_ends(result_.particles, first, part.name, result_.report);
         result_.report.springs.push_back(line);
         return;
     }
     line.axial_stiffness_asked = strip_stiffness(part).axial;
     for (const Polyline& piece : geometry_.curve_set(part.name)->pieces) add_ladder(part, number, piece, line);
+    note_open_ends(result_.particles, first, part.name, result_.report);
     if (!part.anchor->empty() && line.anchored == 0) {
         const bool to_points = geometry_.points.contains(part.anchor);
         throw InputError(part.anchor.location,

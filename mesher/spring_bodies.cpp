@@ -6,11 +6,14 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
 #include "base/disjoint_sets.hpp"
+#include "base/length_text.hpp"
 #include "geometry/remesh_surface.hpp"
 #include "mesher/uses.hpp"
+#include "particles/cell_grid.hpp"
 
 namespace dmp::mesher {
 
@@ -49,6 +52,28 @@ std::vector<double> turns_over_angles(const TriangleSurface& sheet) {
         }
     for (double& each : angle) each = 2 * std::numbers::pi / each;
     return angle;
+}
+
+/// A node near the low side of the box across an axis that one near the high side would be bonded to, if the part went
+/// on there.
+std::optional<std::size_t> bonded_across(const ParticleSet& set, int axis, const std::vector<std::size_t>& low,
+                                         const std::vector<std::size_t>& high) {
+    const double reach = 1.25 * set.spacing;
+    Coordinates points;
+    for (int k = 0; k < 3; ++k)
+        for (const std::size_t i : high)
+            points[k].push_back(set.position[i][k] - (k == axis ? set.box.extent()[axis] : 0));
+    const CellGrid grid(points, high.size(), set.dimension, reach);
+    for (const std::size_t i : low) {
+        const Vec& here = set.position[i];
+        bool any = false;
+        grid.for_each_near({here.x(), here.y(), here.z()}, reach, [&](int k) {
+            const auto at = static_cast<std::size_t>(k);
+            any = any || (Vec(points[0][at], points[1][at], points[2][at]) - here).norm() < reach;
+        });
+        if (any) return i;
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -136,18 +161,35 @@ void add_elastic_of(const SpringLattice& lattice, std::size_t first, ParticleSet
     line.dihedrals += dihedrals.size();
 }
 
-void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part,
-                    std::vector<std::string>& notes) {
+void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part, MeshReport& report) {
+    std::vector<std::size_t> free;
+    for (std::size_t i = first; i < set.size(); ++i)
+        if (set.fixed[i] == 0) free.push_back(i);
     for (int axis = 0; axis < set.dimension; ++axis) {
         const auto at = static_cast<std::size_t>(axis);
-        const double low = set.box.low[axis] + set.spacing, high = set.box.high[axis] - set.spacing;
-        const auto goes_on = [&](const Vec& p) {
-            return (p[axis] < low && (set.periodic.at(at) || set.mirrored.at(at)[0])) ||
-                   (p[axis] > high && (set.periodic.at(at) || set.mirrored.at(at)[1]));
-        };
-        if (std::any_of(set.position.begin() + static_cast<std::ptrdiff_t>(first), set.position.end(), goes_on))
-            notes.push_back(part + ": its springs end at the side of the box across " + "xyz"[axis] +
-                            ", where it is free as if it were cut there");
+        std::array<std::vector<std::size_t>, 2> near;  // the low side and the high one
+        for (const std::size_t i : free) {
+            if (set.position[i][axis] < set.box.low[axis] + set.spacing) near[0].push_back(i);
+            if (set.position[i][axis] > set.box.high[axis] - set.spacing) near[1].push_back(i);
+        }
+        const std::string across = std::string("the side of the box across ") + "xyz"[axis];
+        for (const std::size_t side : {0U, 1U})
+            if (set.mirrored.at(at)[side] && !near.at(side).empty())
+                report.warnings.push_back(
+                    part + ": its springs end at " + across + ", a plane of symmetry, near " +
+                    position_text(set.position[near.at(side)[0]], set.dimension) +
+                    ", and are free as if they were cut there; write model = \"cells\", whose nodes stay on the plane");
+        if (!set.periodic.at(at) || (near[0].empty() && near[1].empty())) continue;
+        if (const auto cut = bonded_across(set, axis, near[0], near[1])) {
+            report.warnings.push_back(
+                part + ": its springs end at " + across + ", which is periodic, near " +
+                position_text(set.position[*cut], set.dimension) +
+                ", and are free as if they were cut there, though it is drawn on both sides; write model = \"cells\", "
+                "which goes on through the side, or draw it a spacing short of the side");
+        } else {
+            report.notes.push_back(part + ": its springs end at " + across +
+                                   ", where it is free as if it were cut there");
+        }
     }
 }
 

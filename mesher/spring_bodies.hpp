@@ -50,8 +50,9 @@ std::vector<int> pieces_of(const SpringLattice& lattice, int& pieces);
 /// Adds the lattice's springs to a set whose particles from `first` on are its nodes, and counts them.
 void add_elastic_of(const SpringLattice& lattice, std::size_t first, ParticleSet& set, MeshReport::SpringLine& line);
 
-/// Says where the nodes from `first` on reach a side of the box beyond which the scene goes on: springs do not.
-void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part,
-                    std::vector<std::string>& notes);
+/// Says where the nodes from `first` on reach a side of the box beyond which the scene goes on: springs do not. A
+/// warning, with the place, where free nodes would be bonded to others across the side, or stand at a plane of
+/// symmetry.
+void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part, MeshReport& report);
 
 }  // namespace dmp::mesher
