@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <unordered_map>
 
 #include "base/errors.hpp"
-#include "models/springs/spring.hpp"
+#include "models/springs/bond_force.hpp"
+#include "models/springs/dihedral_force.hpp"
+#include "models/springs/hinge_force.hpp"
+#include "particles/whole_periods.hpp"
 #include "solver/elastic/node_mass.hpp"
 #include "solver/elastic/self_contact.hpp"
 #include "solver/state/loaded_groups.hpp"
@@ -59,6 +63,20 @@ InitialSprings::InitialSprings(const ParticleSet& set, const Part& part)
 
 namespace {
 
+/// From one particle to another, by the shortest way through periodic sides [m].
+Vec apart(const ParticleSet& set, int from, int to) {
+    return nearest_image(set.position[to] - set.position[from], set);
+}
+
+/// BodyParts::Spring::shift of a spring between these particles.
+template <class Law>
+std::array<Vec, Law::arms.size()> shift_of(const ParticleSet& set, const std::array<int, Law::nodes>& ids) {
+    std::array<Vec, Law::arms.size()> shift;
+    for (std::size_t k = 0; k < shift.size(); ++k)
+        shift[k] = periods_to_nearest(set.position[ids[Law::arms[k].end]] - set.position[ids[Law::arms[k].start]], set);
+    return shift;
+}
+
 /// The particles of a body and the wall particles bonded to it, sorted by id.
 std::vector<int> nodes_of(const ParticleSet& set, int body) {
     std::vector<int> ids;
@@ -101,32 +119,33 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
         const InitialSprings::Source& source =
             bond.join >= 0 ? drawn.of_join.at(bond.join) : drawn.of_part[set.part[bond.a]];
         const Spring spring(bond.stiffness, source.damping, reduced_mass(mass[bond.a], mass[bond.b]));
-        parts.bonds.push_back(
-            {{local.at(bond.a), local.at(bond.b)}, bond.rest_length, spring.stiffness, spring.dashpot, source.origin});
+        parts.bonds.push_back({{local.at(bond.a), local.at(bond.b)},
+                               bond.rest_length,
+                               spring.stiffness,
+                               spring.dashpot,
+                               source.origin,
+                               shift_of<BondForce<3>>(set, {bond.a, bond.b})});
         longest = std::max(longest, bond.rest_length);
     }
     for (const Hinge& hinge : set.hinges) {
         if (set.body[hinge.centre] != body) continue;
-        const auto inertia = [&](int end) {
-            return mass[end] * (set.position[end] - set.position[hinge.centre]).squaredNorm();
-        };
+        const auto inertia = [&](int end) { return mass[end] * apart(set, hinge.centre, end).squaredNorm(); };
         const InitialSprings::Source& source = drawn.of_part[set.part[hinge.centre]];
         const Spring spring(hinge.stiffness, source.damping, reduced_mass(inertia(hinge.a), inertia(hinge.b)));
         parts.hinges.push_back({{local.at(hinge.a), local.at(hinge.centre), local.at(hinge.b)},
                                 hinge.rest_angle,
                                 spring.stiffness,
                                 spring.dashpot,
-                                source.origin});
+                                source.origin,
+                                shift_of<HingeForce<3>>(set, {hinge.a, hinge.centre, hinge.b})});
     }
     for (const Dihedral& dihedral : set.dihedrals) {
         if (set.body[dihedral.b] != body) continue;
         if (set.dimension != 3)
             throw InputError("'" + set.parts[set.part[dihedral.b]].name + "' has dihedrals, and there are none in 2-D",
                              "write dimension = 3, or leave them out");
-        const Vec axis = (set.position[dihedral.c] - set.position[dihedral.b]).normalized();
-        const auto inertia = [&](int end) {
-            return mass[end] * axis.cross(set.position[end] - set.position[dihedral.b]).squaredNorm();
-        };
+        const Vec axis = apart(set, dihedral.b, dihedral.c).normalized();
+        const auto inertia = [&](int end) { return mass[end] * axis.cross(apart(set, dihedral.b, end)).squaredNorm(); };
         const InitialSprings::Source& source = drawn.of_part[set.part[dihedral.b]];
         const Spring spring(dihedral.stiffness, source.damping, reduced_mass(inertia(dihedral.a), inertia(dihedral.d)));
         parts.dihedrals.push_back(
@@ -134,7 +153,8 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
              dihedral.rest_angle,
              spring.stiffness,
              spring.dashpot,
-             source.origin});
+             source.origin,
+             shift_of<DihedralForce>(set, {dihedral.a, dihedral.b, dihedral.c, dihedral.d})});
     }
     if (contact_range > 0)
         parts.held_apart = pairs_within(positions, set.dimension, neighbourhood_of_contact(contact_range, longest));
@@ -190,6 +210,51 @@ class Stream {
     std::size_t next_ = 0;
 };
 
+/// The arms that go through a periodic side: body, kind of spring, its number, arm and shift. Stored behind the bodies,
+/// and only where there are any, so that files of others stay as they were.
+void through_shifts(Stream& through, std::vector<BodyParts>& bodies, bool reading) {
+    struct Arm {
+        int body = 0, kind = 0, spring = 0, arm = 0;
+        Vec shift = Vec::Zero();
+    };
+    std::vector<Arm> arms;
+    const auto for_each_arm = [&](const auto& visit) {
+        for (std::size_t body = 0; body < bodies.size(); ++body) {
+            const auto of = [&](int kind, auto& springs) {
+                for (std::size_t n = 0; n < springs.size(); ++n)
+                    for (std::size_t k = 0; k < springs[n].shift.size(); ++k)
+                        visit(std::array{static_cast<int>(body), kind, static_cast<int>(n), static_cast<int>(k)},
+                              springs[n].shift[k]);
+            };
+            of(2, bodies[body].bonds);
+            of(3, bodies[body].hinges);
+            of(4, bodies[body].dihedrals);
+        }
+    };
+    for_each_arm([&](const std::array<int, 4>& at, const Vec& shift) {
+        if (!shift.isZero(0)) arms.push_back({at[0], at[1], at[2], at[3], shift});
+    });
+    if (reading ? through.at_end() : arms.empty()) return;
+    through.list(arms, [&](Arm& arm) {
+        through(arm.body);
+        through(arm.kind);
+        through(arm.spring);
+        through(arm.arm);
+        through(arm.shift);
+    });
+    if (!reading) return;
+    std::map<std::array<int, 4>, Vec> by_place;
+    for (const Arm& arm : arms) by_place[{arm.body, arm.kind, arm.spring, arm.arm}] = arm.shift;
+    std::size_t found = 0;
+    for_each_arm([&](const std::array<int, 4>& at, Vec& shift) {
+        const auto stored = by_place.find(at);
+        if (stored == by_place.end()) return;
+        shift = stored->second;
+        ++found;
+    });
+    if (found != arms.size()) throw unlike_any_run("springs through periodic sides that are not there");
+}
+
 /// Whether all springs and pairs are between nodes that the body has.
 bool joins_own_nodes(const BodyParts& body) {
     const auto own = [&](int node) { return node >= 0 && static_cast<std::size_t>(node) < body.nodes.size(); };
@@ -241,6 +306,7 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
             through(pair.second);
         });
     });
+    through_shifts(through, bodies, file.loading());
     if (!file.loading()) file(name, numbers);
     if (file.loading() && !std::ranges::all_of(bodies, joins_own_nodes))
         throw unlike_any_run("springs between nodes that are not there");
