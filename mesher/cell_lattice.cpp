@@ -19,39 +19,52 @@ namespace {
 
 using GridIndex = std::array<long, 3>;
 
-/// Point numbers by their place on the grid.
-std::map<GridIndex, int> on_grid(const std::vector<Vec>& points, const Vec& step, int dimension) {
-    std::map<GridIndex, int> number;
-    for (std::size_t n = 0; n < points.size(); ++n) {
-        GridIndex position{};
-        double off = 0;
-        for (int axis = 0; axis < dimension; ++axis) {
-            const double steps = (points[n][axis] - points[0][axis]) / step[axis];
-            position[axis] = std::lround(steps);
-            off = std::max(off, std::abs(steps - static_cast<double>(position[axis])));
+/// Points by their place on a grid that may be periodic.
+class Grid {
+  public:
+    Grid(const std::vector<Vec>& points, const Vec& step, int dimension, const std::array<long, 3>& period)
+        : period_(period) {
+        for (std::size_t n = 0; n < points.size(); ++n) {
+            GridIndex position{};
+            double off = 0;
+            for (int axis = 0; axis < dimension; ++axis) {
+                const double steps = (points[n][axis] - points[0][axis]) / step[axis];
+                position[axis] = std::lround(steps);
+                off = std::max(off, std::abs(steps - static_cast<double>(position[axis])));
+                low_[axis] = std::min(low_[axis], position[axis]);
+            }
+            std::ostringstream what;
+            what << "point " << n << " at (" << points[n].transpose() << ") m";
+            if (!(off < 1e-6))
+                throw InputError(what.str() + " is not on the grid that point 0 begins",
+                                 "give points whose distances along each axis are whole numbers of spacings");
+            const auto [there, is_new] = number_.emplace(position, static_cast<int>(n));
+            if (!is_new)
+                throw InputError(what.str() + " is point " + std::to_string(there->second) + " again", "give it once");
         }
-        std::ostringstream what;
-        what << "point " << n << " at (" << points[n].transpose() << ") m";
-        if (!(off < 1e-6))
-            throw InputError(what.str() + " is not on the grid that point 0 begins",
-                             "give points whose distances along each axis are whole numbers of spacings");
-        const auto [there, is_new] = number.emplace(position, static_cast<int>(n));
-        if (!is_new)
-            throw InputError(what.str() + " is point " + std::to_string(there->second) + " again", "give it once");
     }
-    return number;
-}
+    [[nodiscard]] const std::map<GridIndex, int>& points() const { return number_; }
+    /// The corners of the cell whose lowest is at `place`, eight or, in 2-D, four; corner k is moved along axis i
+    /// where bit i of k is 1.
+    bool corners_of(const GridIndex& position, std::span<int> corners) const {
+        for (int k = 0; k < static_cast<int>(corners.size()); ++k) {
+            GridIndex corner = position;
+            for (int axis = 0; axis < 3; ++axis) {
+                corner[axis] += k >> axis & 1;
+                if (period_[axis] > 0 && corner[axis] - low_[axis] >= period_[axis]) corner[axis] -= period_[axis];
+            }
+            const auto found = number_.find(corner);
+            if (found == number_.end()) return false;
+            corners[k] = found->second;
+        }
+        return true;
+    }
 
-/// The corners of the cell whose lowest is at `place`, eight or, in 2-D, four; corner k is moved along axis i
-/// where bit i of k is 1.
-bool corners_of(const std::map<GridIndex, int>& number, const GridIndex& position, std::span<int> corners) {
-    for (int k = 0; k < static_cast<int>(corners.size()); ++k) {
-        const auto found = number.find({position[0] + (k & 1), position[1] + (k >> 1 & 1), position[2] + (k >> 2 & 1)});
-        if (found == number.end()) return false;
-        corners[k] = found->second;
-    }
-    return true;
-}
+  private:
+    std::array<long, 3> period_;
+    GridIndex low_{};
+    std::map<GridIndex, int> number_;
+};
 
 }  // namespace
 
@@ -73,20 +86,36 @@ CellConstants cell_constants(double youngs_modulus, double poisson_ratio, double
     return constants;
 }
 
-std::vector<bool> in_whole_cells(const std::vector<Vec>& points, const Vec& step, int dimension) {
-    const std::map<GridIndex, int> number = on_grid(points, step, dimension);
+std::array<long, 3> points_in_period(const ParticleSpace& space, const Vec& step) {
+    std::array<long, 3> period{};
+    for (int axis = 0; axis < space.dimension; ++axis)
+        if (space.periodic[axis]) period[axis] = std::lround(space.box.extent()[axis] / step[axis]);
+    return period;
+}
+
+std::vector<bool> in_whole_cells(const std::vector<Vec>& points, const Vec& step, int dimension,
+                                 const std::array<long, 3>& period) {
+    const Grid grid(points, step, dimension, period);
     std::vector<bool> whole(points.size(), false);
     std::vector<int> corners(1U << dimension);
-    for (const auto& [position, lowest] : number) {
-        if (!corners_of(number, position, corners)) continue;
+    for (const auto& [position, lowest] : grid.points()) {
+        if (!grid.corners_of(position, corners)) continue;
         for (const int corner : corners) whole[static_cast<std::size_t>(corner)] = true;
     }
     return whole;
 }
 
-SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& constants, const Vec& step) {
+SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& constants, const Vec& step,
+                           const std::array<long, 3>& period) {
     const int dimension = constants.dimension;
-    const std::map<GridIndex, int> number = on_grid(points, step, dimension);
+    const Grid grid(points, step, dimension, period);
+    const auto between = [&](int from, int to) {
+        Vec apart = points[to] - points[from];
+        for (int axis = 0; axis < dimension; ++axis)
+            if (const double length = static_cast<double>(period[axis]) * step[axis]; length > 0)
+                apart[axis] -= length * std::round(apart[axis] / length);
+        return apart;
+    };
     const int count = 1 << dimension;  // corners of a cell
     const double cell = step.head(dimension).prod();
     std::map<std::pair<int, int>, double> bonds;  // stiffness by ends, the smaller number first
@@ -95,8 +124,8 @@ SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& 
     lattice.nodes = points;
     lattice.share.assign(points.size(), 0);
     std::vector<int> corners(static_cast<std::size_t>(count));
-    for (const auto& [position, lowest] : number) {
-        if (!corners_of(number, position, corners)) continue;
+    for (const auto& [position, lowest] : grid.points()) {
+        if (!grid.corners_of(position, corners)) continue;
         for (const int corner : corners) lattice.share[corner] += cell / count;
         for (int k = 0; k < count; ++k)
             for (int m = k + 1; m < count; ++m) {
@@ -119,11 +148,10 @@ SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& 
         throw InputError("point " + std::to_string(alone - lattice.share.begin()) + " is the corner of no whole cell",
                          "leave it out, or give all corners of a cell");
     for (const auto& [ends, stiffness] : bonds)
-        lattice.bonds.push_back(
-            {ends.first, ends.second, (points[ends.first] - points[ends.second]).norm(), stiffness});
+        lattice.bonds.push_back({ends.first, ends.second, between(ends.second, ends.first).norm(), stiffness});
     for (const auto& [nodes, stiffness] : hinges) {
         // In 2-D angles have a sign: from the first arm to the second, counter-clockwise.
-        const Vec first = points[nodes[0]] - points[nodes[1]], second = points[nodes[2]] - points[nodes[1]];
+        const Vec first = between(nodes[1], nodes[0]), second = between(nodes[1], nodes[2]);
         const bool clockwise = dimension == 2 && first.x() * second.y() - first.y() * second.x() < 0;
         const double rest = (clockwise ? -1 : 1) * std::numbers::pi / 2;
         lattice.hinges.push_back({nodes[0], nodes[1], nodes[2], rest, stiffness});

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -46,16 +47,22 @@ struct CellConstants {
 /// InputError for other ratios: bonds alone give 1/4 and hinges lower it.
 CellConstants cell_constants(double youngs_modulus, double poisson_ratio, double spacing, int dimension = 3);
 
+/// Along each axis how many points of a grid with this step make a period of the box; 0: it is not periodic.
+std::array<long, 3> points_in_period(const ParticleSpace& space, const Vec& step);
+
 /// The lattice on points of a cubic or square grid along the axes: the springs of each cell whose corners are all
-/// there. `step`: of the grid along each axis [m], for one that was stretched a little; rest lengths and shares follow
-/// it. Shares are volumes [m^3], in 2-D areas [m^2]. Throws InputError when a point is not on the grid that the
-/// first one begins, two are one, or a point belongs to no cell.
-SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& constants, const Vec& step);
+/// there, also on the other side of a period (points_in_period), which must be three points or longer. `step`: of the
+/// grid along each axis [m], for one that was stretched a little; rest lengths and shares follow it. Shares are volumes
+/// [m^3], in 2-D areas [m^2]. Throws InputError when a point is not on the grid that the first one begins, two are one,
+/// or a point belongs to no cell.
+SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& constants, const Vec& step,
+                           const std::array<long, 3>& period = {});
 inline SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& constants) {
     return cell_lattice(points, constants, Vec::Constant(constants.spacing));
 }
 
 /// For points of such a grid, whether each is a corner of a cell whose corners are all there. Throws as above.
-std::vector<bool> in_whole_cells(const std::vector<Vec>& points, const Vec& step, int dimension = 3);
+std::vector<bool> in_whole_cells(const std::vector<Vec>& points, const Vec& step, int dimension = 3,
+                                 const std::array<long, 3>& period = {});
 
 }  // namespace dmp::mesher

@@ -109,6 +109,8 @@ class ParticleBuilder {
     void clamp_cells(const Part& part, SolidCells& cells) const;
     [[nodiscard]] std::vector<bool> anchored_nodes(const Part& part, const std::vector<Vec>& nodes) const;
     [[nodiscard]] Vec lattice_step() const { return {lattice_.step()[0], lattice_.step()[1], 0}; }
+    /// Whether a curve ends a period from where it begins.
+    [[nodiscard]] bool goes_on_through_a_side(const Polyline& curve) const;
     void add_ladder(const Part& part, int part_number, const Polyline& curve, MeshReport::SpringLine& line);
     /// Where a piece of an elastic solid is clamped: at named points, or at its ends that lie on a curve.
     [[nodiscard]] std::vector<Vec> anchors_of(const Part& part, const Polyline& curve) const;

@@ -60,7 +60,8 @@ void ParticleBuilder::claim_points(SpringSolid& solid) {
         if (is_in(point) && !nodes_.any_near(point, 0.5 * spacing_)) solid.points.push_back(point);
     const std::size_t there = solid.points.size();
     if (on_cells && there > 0) {
-        const std::vector<bool> whole = in_whole_cells(solid.points, lattice_step(), 2);
+        const std::vector<bool> whole =
+            in_whole_cells(solid.points, lattice_step(), 2, points_in_period(result_.particles, lattice_step()));
         std::size_t k = 0;
         std::erase_if(solid.points, [&](const Vec&) { return !whole[k++]; });
     }
@@ -81,7 +82,7 @@ void ParticleBuilder::add_solid(const SpringSolid& solid, int part_number, MeshR
     line.anchored = static_cast<std::size_t>(std::ranges::count(solid.anchored, true));
     if (solid.cells) return add_cells(solid, part_number, line);
     if (solid.part->bonds_within.given()) return add_unbonded(solid, part_number, line);
-    const SolidBody body = solid_body(*solid.part, solid.points, lattice_step(), 2);
+    const SolidBody body = solid_body(*solid.part, solid.points, lattice_step(), result_.particles);
     line.cells = {body.constants, body.stiffened};
     line.particle_mass = body.mass.front();
     const std::size_t first = result_.particles.size();
@@ -135,15 +136,16 @@ void ParticleBuilder::add_elastic(const Part& part) {
     MeshReport::SpringLine line;
     line.part = part.name;
     const auto solid = std::ranges::find(solids_, &part, &SpringSolid::part);
+    const std::size_t first = result_.particles.size();
     if (solid != solids_.end()) {
-        const std::size_t first = result_.particles.size();
         add_solid(*solid, number, line);
-        if (!solid->cells) note_open_ends(result_.particles, first, part.name, result_.report.notes);
+        if (!solid->cells) note_open_ends(result_.particles, first, part.name, result_.report);
         result_.report.springs.push_back(line);
         return;
     }
     line.axial_stiffness_asked = strip_stiffness(part).axial;
     for (const Polyline& piece : geometry_.curve_set(part.name)->pieces) add_ladder(part, number, piece, line);
+    note_open_ends(result_.particles, first, part.name, result_.report);
     if (!part.anchor->empty() && line.anchored == 0) {
         const bool to_points = geometry_.points.contains(part.anchor);
         throw InputError(part.anchor.location,
@@ -169,6 +171,12 @@ void ParticleBuilder::add_elastic(const Part& part) {
     result_.report.springs.push_back(line);
 }
 
+bool ParticleBuilder::goes_on_through_a_side(const Polyline& curve) const {
+    const Vec apart = curve.points.back() - curve.points.front();
+    const Vec rest = nearest_image(apart, result_.particles);
+    return (apart - rest).norm() > spacing_ && rest.norm() < touching * spacing_;
+}
+
 void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyline& curve,
                                  MeshReport::SpringLine& line) {
     constexpr int fewest_columns = 5;
@@ -176,7 +184,9 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
         throw InputError(part.name.location,
                          "'" + part.name.value + "' has a closed curve, and springs run along open ones only",
                          "leave a gap in the curve in the geometry");
-    const Ladder ladder = ladder_along(curve, spacing_);
+    Ladder ladder = ladder_along(curve, spacing_);
+    const bool goes_on = goes_on_through_a_side(curve);
+    if (goes_on) ladder.nodes.resize(ladder.nodes.size() - 2);  // the last column is the first one, a period on
     if (ladder.columns() < fewest_columns) {
         std::ostringstream problem;
         problem << "a curve of '" << part.name.value << "' is " << curve.length() << " m long, " << ladder.columns()
@@ -184,7 +194,7 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
         throw InputError(part.name.location, problem.str(), "refine particles.spacing or draw a longer curve");
     }
     constexpr std::size_t enough_cells = 8;
-    if (const std::size_t cells = ladder.columns() - 1; cells < enough_cells) {
+    if (const std::size_t cells = ladder.columns() - 1; !goes_on && cells < enough_cells) {
         std::ostringstream text;
         text << "a curve of '" << part.name.value << "' is " << cells
              << " cells long, and a whole column of particles stands at a free end: it swings about " << 100 / cells
@@ -212,20 +222,21 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     nodes_.sort(spacing_);
 
     const auto bond = [&](int a, int b, double stiffness) {
-        set.bonds.push_back({a, b, (set.position[a] - set.position[b]).norm(), stiffness});
+        set.bonds.push_back({a, b, nearest_image(set.position[a] - set.position[b], set).norm(), stiffness});
         ++line.bonds;
     };
     const auto hinge = [&](int a, int centre, int b) {
-        const double rest =
-            angle_between(set.position[a] - set.position[centre], set.position[b] - set.position[centre]);
+        const double rest = angle_between(nearest_image(set.position[a] - set.position[centre], set),
+                                          nearest_image(set.position[b] - set.position[centre], set));
         set.hinges.push_back({a, centre, b, rest, constants.hinge_stiffness});
         ++line.hinges;
     };
     for (int c = 0; c < ladder.columns(); ++c) {
         const int left = first + 2 * c, right = left + 1;
         bond(left, right, constants.rung_stiffness);
-        if (c + 1 == ladder.columns()) break;
-        const int next_left = left + 2, next_right = right + 2;
+        const bool is_last = c + 1 == ladder.columns();
+        if (is_last && !goes_on) break;
+        const int next_left = is_last ? first : left + 2, next_right = next_left + 1;
         bond(left, next_left, constants.bond_stiffness);
         bond(right, next_right, constants.bond_stiffness);
         if (constants.cross_stiffness > 0) {
@@ -264,7 +275,9 @@ std::vector<bool> ParticleBuilder::anchored_columns(const Part& part, const Poly
                                                     const std::vector<Vec>& middles, double along) const {
     std::vector<bool> anchored(middles.size(), false);
     for (const Vec& anchor : anchors_of(part, curve)) {
-        const auto distance = [&](const Vec& middle) { return (middle - anchor).norm(); };
+        const auto distance = [&](const Vec& middle) {
+            return nearest_image(middle - anchor, result_.particles).norm();
+        };
         const auto nearest = std::min_element(middles.begin(), middles.end(),
                                               [&](const Vec& a, const Vec& b) { return distance(a) < distance(b); });
         if (distance(*nearest) < 0.51 * along) anchored[static_cast<std::size_t>(nearest - middles.begin())] = true;

@@ -42,10 +42,6 @@ struct Edge {
 };
 using Edges = std::map<std::pair<int, int>, Edge>;
 
-double area_of(const std::vector<Vec>& points, const std::array<int, 3>& corners) {
-    return (points[corners[1]] - points[corners[0]]).cross(points[corners[2]] - points[corners[0]]).norm() / 2;
-}
-
 void add_triangle(Edges& edges, const std::array<int, 3>& corners, double area) {
     for (int k = 0; k < 3; ++k) {
         const int from = corners[k], to = corners[(k + 1) % 3];
@@ -103,21 +99,24 @@ ShellConstants shell_constants(double membrane_stiffness, double bending_stiffne
 }
 
 SpringLattice shell_lattice(const std::vector<Vec>& points, const std::vector<std::array<int, 3>>& triangles,
-                            const ShellConstants& constants) {
+                            const ShellConstants& constants, const ParticleSpace& space) {
+    const auto between = [&](const Vec& from, const Vec& to) { return nearest_image(to - from, space); };
     Edges edges;
     std::vector<Vec> normal(points.size(), Vec::Zero());
     std::vector<double> share(points.size(), 0);
     double whole = 0;
     for (std::size_t n = 0; n < triangles.size(); ++n) {
         const auto& corners = triangles[n];
-        const double area = area_of(points, corners);
+        const Vec& first = points[corners[0]];
+        const Vec across = between(first, points[corners[1]]).cross(between(first, points[corners[2]]));
+        const double area = across.norm() / 2;
         if (!(area > 0))
             throw InputError("triangle " + std::to_string(n) + " has no area", "give it three corners off one line");
         add_triangle(edges, corners, area);
         whole += area;
         for (const int corner : corners) {
             share[corner] += area / 3;
-            normal[corner] += (points[corners[1]] - points[corners[0]]).cross(points[corners[2]] - points[corners[0]]);
+            normal[corner] += across;
         }
     }
     const double node_area = 2 * whole / static_cast<double>(triangles.size());  // of a point inside
@@ -131,13 +130,14 @@ SpringLattice shell_lattice(const std::vector<Vec>& points, const std::vector<st
         }
     }
     const auto bond = [&](int a, int b, double stiffness) {
-        if (stiffness > 0) lattice.bonds.push_back({a, b, (lattice.nodes[a] - lattice.nodes[b]).norm(), stiffness});
+        if (stiffness > 0)
+            lattice.bonds.push_back({a, b, between(lattice.nodes[b], lattice.nodes[a]).norm(), stiffness});
     };
     for (std::size_t n = 0; n < points.size(); ++n)
         bond(static_cast<int>(2 * n), static_cast<int>(2 * n + 1), constants.rung_stiffness * share[n] / node_area);
     for (const auto& [ends, edge] : edges) {
         const auto [a, b] = ends;
-        const double length_square = (points[a] - points[b]).squaredNorm();
+        const double length_square = between(points[b], points[a]).squaredNorm();
         const double weight = edge.area / length_square * 2 / root3;  // 1 inside equilateral triangles
         for (const int layer : {0, 1}) {
             bond(2 * a + layer, 2 * b + layer, constants.bond_stiffness * weight);
@@ -146,9 +146,11 @@ SpringLattice shell_lattice(const std::vector<Vec>& points, const std::vector<st
             const std::array<int, 4> four{2 * edge.opposite[0] + layer, 2 * a + layer, 2 * b + layer,
                                           2 * edge.opposite[1] + layer};
             const auto& x = lattice.nodes;
-            lattice.dihedrals.push_back({four[0], four[1], four[2], four[3],
-                                         dihedral_angle(x[four[0]], x[four[1]], x[four[2]], x[four[3]]),
-                                         constants.dihedral_stiffness / weight});
+            lattice.dihedrals.push_back(
+                {four[0], four[1], four[2], four[3],
+                 dihedral_angle(between(x[four[1]], x[four[0]]), between(x[four[2]], x[four[1]]),
+                                between(x[four[2]], x[four[3]])),
+                 constants.dihedral_stiffness / weight});
         }
     }
     return lattice;

@@ -43,8 +43,9 @@ ShellConstants shell_constants(double membrane_stiffness, double bending_stiffne
 /// scaled: bonds and diagonals with (areas beside the edge) / (its length)^2 (van Gelder 1998), dihedrals with the
 /// inverse (Grinspun et al. 2003), rungs with the node's area. Edges on a border have half of it then, and membrane
 /// strains that are uniform are exact for equilateral triangles only. Throws InputError for triangles without area, an
-/// edge of more than two triangles or of two that are not oriented alike, and points of no triangle.
+/// edge of more than two triangles or of two that are not oriented alike, and points of no triangle. In a `space` with
+/// periods triangles may join points on both sides of one.
 SpringLattice shell_lattice(const std::vector<Vec>& points, const std::vector<std::array<int, 3>>& triangles,
-                            const ShellConstants& constants);
+                            const ShellConstants& constants, const ParticleSpace& space = {});
 
 }  // namespace dmp::mesher

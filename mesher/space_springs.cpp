@@ -106,7 +106,8 @@ void SpaceBuilder::claim_points(const Part& part, const Solid& solid) {
         ++index;
     });
     const std::vector<bool> whole =
-        on_cells ? in_whole_cells(taken.points, lattice_step()) : std::vector<bool>(taken.points.size(), true);
+        on_cells ? in_whole_cells(taken.points, lattice_step(), 3, points_in_period(result_.particles, lattice_step()))
+                 : std::vector<bool>(taken.points.size(), true);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < position.size(); ++k)
         if (whole[k]) {
@@ -180,7 +181,7 @@ void SpaceBuilder::add_elastic(const Part& part) {
         for (const Vec& point : solid->points) add_particle(point, number, part.density);
         std::fill(set.body.begin() + static_cast<std::ptrdiff_t>(first), set.body.end(), bodies_++);
     } else if (solid != spring_solids_.end()) {
-        const SolidBody body = solid_body(part, solid->points, lattice_step(), 3);
+        const SolidBody body = solid_body(part, solid->points, lattice_step(), set);
         line.cells = {body.constants, body.stiffened};
         line.particle_mass = body.mass.front();
         add_body(body, number, line);
@@ -192,7 +193,7 @@ void SpaceBuilder::add_elastic(const Part& part) {
             is_thick_in_cad_model ? thin->middle : geometry_.surface_set(part.name)->surface;
         const SurfacePieces pieces(surface);
         for (const SurfacePiece& piece : pieces.all()) {
-            const ShellBody body = shell_body(of, part_of(surface, piece.triangles), spacing_);
+            const ShellBody body = shell_body(of, part_of(surface, piece.triangles), set);
             line.shell = {body.constants, body.membrane_stiffness_asked};
             line.particle_mass = of.density * of.thickness * spacing_ * spacing_ / 2;
             add_body(body, number, line);
@@ -201,7 +202,7 @@ void SpaceBuilder::add_elastic(const Part& part) {
             result_.report.warnings.push_back(std::move(text));
     }
     clamp(part, first, line);
-    note_open_ends(set, first, part.name, result_.report.notes);
+    note_open_ends(set, first, part.name, result_.report);
     result_.report.springs.push_back(line);
 }
 

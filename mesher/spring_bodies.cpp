@@ -4,13 +4,18 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <sstream>
 
 #include "base/disjoint_sets.hpp"
+#include "base/length_text.hpp"
 #include "geometry/remesh_surface.hpp"
 #include "mesher/uses.hpp"
+#include "particles/cell_grid.hpp"
 
 namespace dmp::mesher {
 
@@ -35,25 +40,98 @@ ShellConstants shell_constants_of(const Part& part, double membrane, double bend
                      "refine particles.spacing to about the thickness, or set lower_axial_stiffness = true");
 }
 
+/// Makes the corners of a sheet on the high side of the box those on the low side, where there is one for each.
+TriangleSurface with_rims_joined(TriangleSurface sheet, const ParticleSpace& space) {
+    constexpr double on_side = 1e-3, alike = 0.05;  // [spacings]
+    for (int axis = 0; axis < space.dimension; ++axis) {
+        if (!space.periodic[axis]) continue;
+        std::array<std::vector<std::size_t>, 2> rim;  // the low one and the high one
+        for (std::size_t n = 0; n < sheet.corners.size(); ++n)
+            for (const std::size_t side : {0U, 1U}) {
+                const double at = (side == 0 ? space.box.low : space.box.high)[axis];
+                if (std::abs(sheet.corners[n][axis] - at) < on_side * space.spacing) rim.at(side).push_back(n);
+            }
+        std::map<std::size_t, std::size_t> low_of;  // by corner of the high rim
+        for (const std::size_t high : rim[1]) {
+            const auto distance = [&](std::size_t low) {
+                return nearest_image(sheet.corners[high] - sheet.corners[low], space).norm();
+            };
+            const auto low = std::ranges::min_element(rim[0], {}, distance);
+            if (low != rim[0].end() && distance(*low) < alike * space.spacing) low_of[high] = *low;
+        }
+        std::set<std::size_t> taken;
+        for (const auto& [high, low] : low_of) taken.insert(low);
+        if (taken.empty() || taken.size() != rim[0].size() || low_of.size() != rim[1].size()) continue;
+        std::vector<int> number(sheet.corners.size());
+        std::vector<Vec> kept;
+        for (std::size_t n = 0; n < sheet.corners.size(); ++n) {
+            if (low_of.contains(n)) continue;
+            number[n] = static_cast<int>(kept.size());
+            kept.push_back(sheet.corners[n]);
+        }
+        for (const auto& [high, low] : low_of) number[high] = number[low];
+        for (auto& triangle : sheet.triangles)
+            for (int& corner : triangle) corner = number[static_cast<std::size_t>(corner)];
+        sheet.corners = std::move(kept);
+    }
+    return sheet;
+}
+
 /// By corner: a full turn over the angle that its triangles take up: 1 inside a flat sheet, 2 at its border, 4 at a
 /// corner.
-std::vector<double> turns_over_angles(const TriangleSurface& sheet) {
+std::vector<double> turns_over_angles(const TriangleSurface& sheet, const ParticleSpace& space) {
     std::vector<double> angle(sheet.corners.size(), 0);
     for (const auto& triangle : sheet.triangles)
         for (std::size_t k = 0; k < 3; ++k) {
             const auto corner = [&](std::size_t n) -> const Vec& {
                 return sheet.corners[static_cast<std::size_t>(triangle.at(n % 3))];
             };
-            const Vec a = corner(k + 1) - corner(k), b = corner(k + 2) - corner(k);
+            const Vec a = nearest_image(corner(k + 1) - corner(k), space);
+            const Vec b = nearest_image(corner(k + 2) - corner(k), space);
             angle[static_cast<std::size_t>(triangle.at(k))] += std::atan2(a.cross(b).norm(), a.dot(b));
         }
     for (double& each : angle) each = 2 * std::numbers::pi / each;
     return angle;
 }
 
+/// By particle: whether it has a bond through the periodic side across an axis.
+std::vector<bool> with_bonds_across(const ParticleSet& set, int axis) {
+    std::vector<bool> across(set.size(), false);
+    if (!set.periodic.at(static_cast<std::size_t>(axis))) return across;
+    for (const Bond& bond : set.bonds) {
+        const auto a = static_cast<std::size_t>(bond.a), b = static_cast<std::size_t>(bond.b);
+        if (std::abs(set.position[a][axis] - set.position[b][axis]) > 0.5 * set.box.extent()[axis])
+            across[a] = across[b] = true;
+    }
+    return across;
+}
+
+/// A node near the low side of the box across an axis that one near the high side would be bonded to, if the part went
+/// on there.
+std::optional<std::size_t> bonded_across(const ParticleSet& set, int axis, const std::vector<std::size_t>& low,
+                                         const std::vector<std::size_t>& high) {
+    const double reach = 1.25 * set.spacing;
+    Coordinates points;
+    for (int k = 0; k < 3; ++k)
+        for (const std::size_t i : high)
+            points[k].push_back(set.position[i][k] - (k == axis ? set.box.extent()[axis] : 0));
+    const CellGrid grid(points, high.size(), set.dimension, reach);
+    for (const std::size_t i : low) {
+        const Vec& here = set.position[i];
+        bool any = false;
+        grid.for_each_near({here.x(), here.y(), here.z()}, reach, [&](int k) {
+            const auto at = static_cast<std::size_t>(k);
+            any = any || (Vec(points[0][at], points[1][at], points[2][at]) - here).norm() < reach;
+        });
+        if (any) return i;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
-SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec& step, int dimension) {
+SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec& step, const ParticleSpace& space) {
+    const int dimension = space.dimension;
     if (part.poisson_ratio > 0.25)
         throw InputError(part.poisson_ratio.location,
                          "a solid of springs cannot have a Poisson ratio of more than 0.25: bonds alone give that, and "
@@ -63,7 +141,7 @@ SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec
     SolidBody body;
     body.constants = cell_constants(part.youngs_modulus, part.poisson_ratio,
                                     dimension == 3 ? std::cbrt(cell) : std::sqrt(cell), dimension);
-    body.lattice = cell_lattice(points, body.constants, step);
+    body.lattice = cell_lattice(points, body.constants, step, points_in_period(space, step));
     const double filled = std::accumulate(body.lattice.share.begin(), body.lattice.share.end(), 0.0);
     body.stiffened = static_cast<double>(points.size()) * cell / filled;
     for (Bond& bond : body.lattice.bonds) bond.stiffness *= body.stiffened;
@@ -73,7 +151,8 @@ SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec
     return body;
 }
 
-ShellBody shell_body(const Part& part, const TriangleSurface& sheet, double spacing) {
+ShellBody shell_body(const Part& part, const TriangleSurface& sheet, const ParticleSpace& space) {
+    const double spacing = space.spacing;
     // Of equilateral triangles with a node for each spacing^2: sqrt(3)/2 edge^2.
     const double edge = spacing * std::sqrt(2 / std::numbers::sqrt3);
     if (sheet.area() < least_area * spacing * spacing) {
@@ -82,14 +161,14 @@ ShellBody shell_body(const Part& part, const TriangleSurface& sheet, double spac
                 << least_area << " particles";
         throw InputError(part.name.location, problem.str(), "refine particles.spacing or draw a larger sheet");
     }
-    const TriangleSurface fine = remesh_surface(sheet, edge);
+    const TriangleSurface fine = with_rims_joined(remesh_surface(sheet, edge), space);
     const double h = part.thickness, nu = part.poisson_ratio;
     ShellBody body;
     body.membrane_stiffness_asked = part.youngs_modulus * h;
     const double bending = part.youngs_modulus * h * h * h / (12 * (1 - nu * nu));
     body.constants = shell_constants_of(part, body.membrane_stiffness_asked, bending, edge, spacing);
-    body.lattice = shell_lattice(fine.corners, fine.triangles, body.constants);
-    const std::vector<double> turns = turns_over_angles(fine);
+    body.lattice = shell_lattice(fine.corners, fine.triangles, body.constants, space);
+    const std::vector<double> turns = turns_over_angles(fine, space);
     for (std::size_t node = 0; node < body.lattice.nodes.size(); ++node) {
         const double area = body.lattice.share[node];  // two layers of nodes share it, and are each a spacing thick
         body.volume.push_back(2 * area * turns[node / 2] * spacing);
@@ -136,18 +215,39 @@ void add_elastic_of(const SpringLattice& lattice, std::size_t first, ParticleSet
     line.dihedrals += dihedrals.size();
 }
 
-void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part,
-                    std::vector<std::string>& notes) {
+void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part, MeshReport& report) {
+    std::vector<std::size_t> free;
+    for (std::size_t i = first; i < set.size(); ++i)
+        if (set.fixed[i] == 0) free.push_back(i);
     for (int axis = 0; axis < set.dimension; ++axis) {
         const auto at = static_cast<std::size_t>(axis);
-        const double low = set.box.low[axis] + set.spacing, high = set.box.high[axis] - set.spacing;
-        const auto goes_on = [&](const Vec& p) {
-            return (p[axis] < low && (set.periodic.at(at) || set.mirrored.at(at)[0])) ||
-                   (p[axis] > high && (set.periodic.at(at) || set.mirrored.at(at)[1]));
-        };
-        if (std::any_of(set.position.begin() + static_cast<std::ptrdiff_t>(first), set.position.end(), goes_on))
-            notes.push_back(part + ": its springs end at the side of the box across " + "xyz"[axis] +
-                            ", where it is free as if it were cut there");
+        const std::vector<bool> goes_on = with_bonds_across(set, axis);
+        std::array<std::vector<std::size_t>, 2> near;  // the low side and the high one
+        for (const std::size_t i : free) {
+            if (goes_on[i]) continue;
+            if (set.position[i][axis] < set.box.low[axis] + set.spacing) near[0].push_back(i);
+            if (set.position[i][axis] > set.box.high[axis] - set.spacing) near[1].push_back(i);
+        }
+        const std::string across = std::string("the side of the box across ") + "xyz"[axis];
+        for (const std::size_t side : {0U, 1U})
+            if (set.mirrored.at(at)[side] && !near.at(side).empty())
+                report.warnings.push_back(
+                    part + ": its springs end at " + across + ", a plane of symmetry, near " +
+                    position_text(set.position[near.at(side)[0]], set.dimension) +
+                    ", and are free as if they were cut there; write model = \"cells\", whose nodes stay on the plane");
+        if (!set.periodic.at(at) || (near[0].empty() && near[1].empty())) continue;
+        if (const auto cut = bonded_across(set, axis, near[0], near[1])) {
+            report.warnings.push_back(
+                part + ": its springs end at " + across + ", which is periodic, near " +
+                position_text(set.position[*cut], set.dimension) +
+                ", and are free as if they were cut there, though it is drawn on both sides; draw the ends or rims on "
+                "both sides alike, a period apart, in a solid write model = \"cells\" instead of bonds_within, or draw "
+                "it "
+                "a spacing short of the side");
+        } else {
+            report.notes.push_back(part + ": its springs end at " + across +
+                                   ", where it is free as if it were cut there");
+        }
     }
 }
 

@@ -29,7 +29,7 @@ struct SolidBody : SpringBody {
     double stiffened = 1;  ///< what the cells between the nodes fill, into what the nodes stand for [-]
 };
 /// `points` as in_whole_cells() leaves them; `step` of the grid [m]. Throws InputError for a Poisson ratio beyond 1/4.
-SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec& step, int dimension);
+SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec& step, const ParticleSpace& space);
 
 /// A shell half a spacing to both sides of a sheet, which is meshed anew so that each pair of nodes has about spacing^2
 /// of it. In the SPH sums nodes at its border stand for as much as those inside: the shell reaches half a spacing on.
@@ -39,9 +39,10 @@ struct ShellBody : SpringBody {
     ShellConstants constants;
     double membrane_stiffness_asked = 0;  ///< E h [N/m]
 };
-/// `sheet`: one connected piece. Throws InputError for a sheet too small to bend, one that branches, or one whose
-/// membrane stiffness may not be lowered though it must.
-ShellBody shell_body(const Part& part, const TriangleSurface& sheet, double spacing);
+/// `sheet`: one connected piece, which goes on through a periodic side where its rims on both are alike. Throws
+/// InputError for a sheet too small to bend, one that branches, or one whose membrane stiffness may not be lowered
+/// though it must.
+ShellBody shell_body(const Part& part, const TriangleSurface& sheet, const ParticleSpace& space);
 
 /// By node: the number of the connected piece that it belongs to, from `pieces` on by ascending first node; `pieces`
 /// counts on.
@@ -50,8 +51,9 @@ std::vector<int> pieces_of(const SpringLattice& lattice, int& pieces);
 /// Adds the lattice's springs to a set whose particles from `first` on are its nodes, and counts them.
 void add_elastic_of(const SpringLattice& lattice, std::size_t first, ParticleSet& set, MeshReport::SpringLine& line);
 
-/// Says where the nodes from `first` on reach a side of the box beyond which the scene goes on: springs do not.
-void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part,
-                    std::vector<std::string>& notes);
+/// Says where the nodes from `first` on reach a side of the box beyond which the scene goes on, and their springs do
+/// not. A warning, with the place, where free nodes would be bonded to others across the side, or stand at a plane of
+/// symmetry.
+void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part, MeshReport& report);
 
 }  // namespace dmp::mesher

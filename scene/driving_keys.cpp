@@ -19,7 +19,7 @@ std::vector<Key<ForceOnPart>> force_keys() {
          "Force, as formulas of t, x, y, z and, on elastic parts, X, Y, Z: where a particle is now, and where it was in "
          "the initial state. In 2-D the part is 1 m deep."},
         {"amount", &ForceOnPart::amount, one_of<ForceAmount>(), required,
-         "\"total\": the force on the whole part, spread evenly over its particles; \"per_particle\": the force on "
+         "\"total\": the force on the whole part, spread over its particles by their volumes; \"per_particle\": the force on "
          "each particle."},
         {"from", &ForceOnPart::from, quantity("1 s", not_negative), "0", "Time at which the force starts."},
         {"until", &ForceOnPart::until, quantity("2 s", positive), not_given,

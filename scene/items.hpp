@@ -20,7 +20,7 @@ struct ForceOnPart {
     Value<std::string> name;
     Value<std::string> part;                 ///< a fluid, an elastic solid or spheres
     Value<std::array<Expression, 3>> force;  ///< as functions of t, x, y, z [N]
-    Value<ForceAmount> amount;               ///< total: spread evenly over the part's particles
+    Value<ForceAmount> amount;               ///< total: spread over the part's particles by their volumes
     Value<double> from = 0.0;                ///< when it starts [s]
     Value<double> until;                     ///< when it ends [s]; not given: never
     Value<double> period = 0.0;              ///< after which the schedule repeats [s]; 0: no repetition

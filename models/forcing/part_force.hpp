@@ -7,7 +7,8 @@
 namespace dmp::models {
 
 /// A prescribed force on a part, F(t, x) [N].
-///   per particle: F acts on each particle;  total: F / N acts on each of the N particles of the part.
+///   per particle: F acts on each particle;  total: F / N acts on each of the N particles of the part, where their
+///   volumes differ F V / SUM V, V / mean V times as much.
 /// Its contribution to the momentum, the integral of the sum of F over the particles, is part of the impulse of the
 /// body forces. It has no potential energy, since F may depend on time.
 struct PartForce {

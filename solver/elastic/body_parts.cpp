@@ -9,7 +9,10 @@
 #include <unordered_map>
 
 #include "base/errors.hpp"
-#include "models/springs/spring.hpp"
+#include "models/springs/bond_force.hpp"
+#include "models/springs/dihedral_force.hpp"
+#include "models/springs/hinge_force.hpp"
+#include "particles/whole_periods.hpp"
 #include "solver/elastic/node_mass.hpp"
 #include "solver/elastic/self_contact.hpp"
 #include "solver/state/loaded_groups.hpp"
@@ -59,6 +62,20 @@ InitialSprings::InitialSprings(const ParticleSet& set, const Part& part)
 
 namespace {
 
+/// From one particle to another, by the shortest way through periodic sides [m].
+Vec apart(const ParticleSet& set, int from, int to) {
+    return nearest_image(set.position[to] - set.position[from], set);
+}
+
+/// BodyParts::Spring::shift of a spring between these particles.
+template <class Law>
+std::array<Vec, Law::arms.size()> shift_of(const ParticleSet& set, const std::array<int, Law::nodes>& ids) {
+    std::array<Vec, Law::arms.size()> shift;
+    for (std::size_t k = 0; k < shift.size(); ++k)
+        shift[k] = periods_to_nearest(set.position[ids[Law::arms[k].end]] - set.position[ids[Law::arms[k].start]], set);
+    return shift;
+}
+
 /// The particles of a body and the wall particles bonded to it, sorted by id.
 std::vector<int> nodes_of(const ParticleSet& set, int body) {
     std::vector<int> ids;
@@ -101,32 +118,33 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
         const InitialSprings::Source& source =
             bond.join >= 0 ? drawn.of_join.at(bond.join) : drawn.of_part[set.part[bond.a]];
         const Spring spring(bond.stiffness, source.damping, reduced_mass(mass[bond.a], mass[bond.b]));
-        parts.bonds.push_back(
-            {{local.at(bond.a), local.at(bond.b)}, bond.rest_length, spring.stiffness, spring.dashpot, source.origin});
+        parts.bonds.push_back({{local.at(bond.a), local.at(bond.b)},
+                               bond.rest_length,
+                               spring.stiffness,
+                               spring.dashpot,
+                               source.origin,
+                               shift_of<BondForce<3>>(set, {bond.a, bond.b})});
         longest = std::max(longest, bond.rest_length);
     }
     for (const Hinge& hinge : set.hinges) {
         if (set.body[hinge.centre] != body) continue;
-        const auto inertia = [&](int end) {
-            return mass[end] * (set.position[end] - set.position[hinge.centre]).squaredNorm();
-        };
+        const auto inertia = [&](int end) { return mass[end] * apart(set, hinge.centre, end).squaredNorm(); };
         const InitialSprings::Source& source = drawn.of_part[set.part[hinge.centre]];
         const Spring spring(hinge.stiffness, source.damping, reduced_mass(inertia(hinge.a), inertia(hinge.b)));
         parts.hinges.push_back({{local.at(hinge.a), local.at(hinge.centre), local.at(hinge.b)},
                                 hinge.rest_angle,
                                 spring.stiffness,
                                 spring.dashpot,
-                                source.origin});
+                                source.origin,
+                                shift_of<HingeForce<3>>(set, {hinge.a, hinge.centre, hinge.b})});
     }
     for (const Dihedral& dihedral : set.dihedrals) {
         if (set.body[dihedral.b] != body) continue;
         if (set.dimension != 3)
             throw InputError("'" + set.parts[set.part[dihedral.b]].name + "' has dihedrals, and there are none in 2-D",
                              "write dimension = 3, or leave them out");
-        const Vec axis = (set.position[dihedral.c] - set.position[dihedral.b]).normalized();
-        const auto inertia = [&](int end) {
-            return mass[end] * axis.cross(set.position[end] - set.position[dihedral.b]).squaredNorm();
-        };
+        const Vec axis = apart(set, dihedral.b, dihedral.c).normalized();
+        const auto inertia = [&](int end) { return mass[end] * axis.cross(apart(set, dihedral.b, end)).squaredNorm(); };
         const InitialSprings::Source& source = drawn.of_part[set.part[dihedral.b]];
         const Spring spring(dihedral.stiffness, source.damping, reduced_mass(inertia(dihedral.a), inertia(dihedral.d)));
         parts.dihedrals.push_back(
@@ -134,7 +152,8 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
              dihedral.rest_angle,
              spring.stiffness,
              spring.dashpot,
-             source.origin});
+             source.origin,
+             shift_of<DihedralForce>(set, {dihedral.a, dihedral.b, dihedral.c, dihedral.d})});
     }
     if (contact_range > 0)
         parts.held_apart = pairs_within(positions, set.dimension, neighbourhood_of_contact(contact_range, longest));
@@ -237,6 +256,7 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
             through(spring.stiffness);
             through(spring.dashpot);
             through(spring.origin);
+            for (Vec& of_arm : spring.shift) through(of_arm);
         });
     };
     if (file.loading()) bodies.clear();

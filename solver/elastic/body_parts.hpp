@@ -26,6 +26,12 @@ struct BodyParts {
         double drag = 0;                 ///< lab-frame drag [kg/s]
         Vec position = Vec::Zero(), velocity = Vec::Zero(), position_before = Vec::Zero(), rest_position = Vec::Zero();
     };
+    template <std::size_t K>
+    static std::array<Vec, K> no_shift() {
+        std::array<Vec, K> none;
+        none.fill(Vec::Zero());
+        return none;
+    }
     /// A bond, hinge or dihedral; order of the nodes as in Bond, Hinge and Dihedral.
     template <int N>
     struct Spring {
@@ -34,6 +40,9 @@ struct BodyParts {
         double stiffness = 0;  ///< [N/m] or [J]
         double dashpot = 0;    ///< [N s/m] or [J s]
         int origin = 0;        ///< as for a node
+        /// By arm of the spring's law (BondForce, HingeForce, DihedralForce): what is added to the vector between its
+        /// nodes where the body goes on through a periodic side, whole periods [m].
+        std::array<Vec, N - 1> shift = no_shift<N - 1>();
     };
 
     /// A cell of a solid between nodes that are no particles (Node::id -1); the cell is the particle.

@@ -45,7 +45,7 @@ double& SpringNetwork<D>::ImplicitSystem::entry(int row, int column) {
 
 template <int D>
 template <class Law, class Slope>
-void SpringNetwork<D>::ImplicitSystem::add(const LocalSpring<Law>& spring, const Slope& slope, double weight) {
+void SpringNetwork<D>::ImplicitSystem::add(const LocalSpring<D, Law>& spring, const Slope& slope, double weight) {
     constexpr int nodes = Law::nodes;
     std::array<Vector<double, D>, nodes> gradient{};
     for (std::size_t k = 0; k < slope.size(); ++k) {
@@ -81,7 +81,7 @@ void SpringNetwork<D>::ImplicitSystem::factorise(const SpringNetwork& body, cons
         entry(number, number) += body.mass_[node] + dt / 2 * body.drag_[node];
     });
     body.for_each_spring([&](const auto& spring) {
-        const auto arms = spring.arms(position);
+        const auto arms = spring.arms_at(position);
         add(spring, spring.law.deviation(arms).gradient,
             dt / 2 * spring.law.dashpot + dt * dt / 4 * 2 * spring.law.stiffness);
         spring.law.extra_stiffness(arms,

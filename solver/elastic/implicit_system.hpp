@@ -43,7 +43,7 @@ class SpringNetwork<D>::ImplicitSystem {
 
     /// A += weight g g^T for the slope g of a length or an angle along the arms of a spring.
     template <class Law, class Slope>
-    void add(const LocalSpring<Law>& spring, const Slope& slope, double weight);
+    void add(const LocalSpring<D, Law>& spring, const Slope& slope, double weight);
     void add(const LocalCell<D>& cell, const typename LocalCell<D>::Element::Square& stiffness);
     [[nodiscard]] double& entry(int row, int column);
     template <class Map>

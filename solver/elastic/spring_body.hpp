@@ -117,8 +117,12 @@ class SpringBody {
     virtual void archive(Archive& file, const std::string& name) = 0;
 
     [[nodiscard]] const std::string& part() const { return part_; }
-    [[nodiscard]] const std::vector<int>& ids() const { return ids_; }           ///< particle ids of the nodes
-    [[nodiscard]] const std::vector<Bond>& bonds() const { return bond_list_; }  ///< by node of this body
+    [[nodiscard]] const std::vector<int>& ids() const { return ids_; }  ///< particle ids of the nodes
+    /// A bond between nodes of the body, numbered as they are here.
+    struct OwnBond : Bond {
+        Vec shift;  ///< BodyParts::Spring::shift [m]
+    };
+    [[nodiscard]] const std::vector<OwnBond>& bonds() const { return bond_list_; }
     /// The origin of a node or bond (body_names).
     [[nodiscard]] int origin(std::size_t node) const { return origin_[node]; }
     [[nodiscard]] int bond_origin(std::size_t bond) const { return bond_origin_[bond]; }
@@ -130,8 +134,8 @@ class SpringBody {
     /// From the initial position [m].
     [[nodiscard]] Vec displacement(std::size_t node) const { return position(node) - rest_position(node); }
     /// Current length of a bond of this body minus its rest length [m].
-    [[nodiscard]] double stretch(const Bond& bond) const {
-        return (position(bond.a) - position(bond.b)).norm() - bond.rest_length;
+    [[nodiscard]] double stretch(const OwnBond& bond) const {
+        return (position(bond.a) - position(bond.b) + bond.shift).norm() - bond.rest_length;
     }
 
   protected:
@@ -141,7 +145,7 @@ class SpringBody {
 
     std::string part_;
     std::vector<int> ids_;
-    std::vector<Bond> bond_list_;
+    std::vector<OwnBond> bond_list_;
     std::vector<std::uint8_t> fixed_, of_wall_;
     std::vector<double> mass_, drag_;
     std::vector<int> origin_, bond_origin_;

@@ -9,6 +9,26 @@
 
 namespace dmp::solver {
 
+namespace {
+
+template <int D, std::size_t K>
+Arms<D, K> shift_of(const std::array<Vec, K>& in_space) {
+    Arms<D, K> shift{};
+    for (std::size_t k = 0; k < K; ++k)
+        for (int axis = 0; axis < D; ++axis) shift[k][axis] = in_space[k][axis];
+    return shift;
+}
+
+template <int D, std::size_t K>
+std::array<Vec, K> as_in_space(const Arms<D, K>& shift) {
+    auto in_space = BodyParts::no_shift<K>();
+    for (std::size_t k = 0; k < K; ++k)
+        for (int axis = 0; axis < D; ++axis) in_space[k][axis] = shift[k][axis];
+    return in_space;
+}
+
+}  // namespace
+
 std::unique_ptr<SpringBody> SpringBody::make(const ParticleSet& set, const Part& part, int body,
                                              const SpringContact& contact) {
     if (set.dimension == 3) return std::make_unique<SpringNetwork<3>>(set, part, body, contact);
@@ -51,15 +71,17 @@ SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name,
     }
     force_.assign(ids_.size(), {});
     for (const auto& bond : bonds) {
-        bonds_.push_back({bond.node, BondForce<D>(bond.rest, {bond.stiffness, bond.dashpot})});
-        bond_list_.push_back({bond.node[0], bond.node[1], bond.rest, bond.stiffness});
+        bonds_.push_back({bond.node, BondForce<D>(bond.rest, {bond.stiffness, bond.dashpot}), shift_of<D>(bond.shift)});
+        bond_list_.push_back({{bond.node[0], bond.node[1], bond.rest, bond.stiffness}, bond.shift[0]});
         bond_origin_.push_back(bond.origin);
     }
     for (const auto& hinge : hinges)
-        hinges_.push_back({hinge.node, HingeForce<D>(hinge.rest, {hinge.stiffness, hinge.dashpot})});
+        hinges_.push_back(
+            {hinge.node, HingeForce<D>(hinge.rest, {hinge.stiffness, hinge.dashpot}), shift_of<D>(hinge.shift)});
     if constexpr (D == 3)
         for (const auto& dihedral : dihedrals)
-            dihedrals_.push_back({dihedral.node, DihedralForce(dihedral.rest, {dihedral.stiffness, dihedral.dashpot})});
+            dihedrals_.push_back({dihedral.node, DihedralForce(dihedral.rest, {dihedral.stiffness, dihedral.dashpot}),
+                                  shift_of<D>(dihedral.shift)});
     for (const BodyParts::Cell& cell : cells) cells_.emplace_back(cell);
     if (contact.on()) self_contact_ = std::make_unique<SelfContact<D>>(contact, held_apart, of_wall_);
 }
@@ -76,10 +98,12 @@ BodyParts SpringNetwork<D>::parts() const {
     }
     for (std::size_t b = 0; b < bonds_.size(); ++b) {
         const auto& law = bonds_[b].law;
-        parts.bonds.push_back({bonds_[b].node, law.rest_length, law.stiffness, law.dashpot, bond_origin_[b]});
+        parts.bonds.push_back(
+            {bonds_[b].node, law.rest_length, law.stiffness, law.dashpot, bond_origin_[b], {bond_list_[b].shift}});
     }
     const auto add_angle = [](auto& angles, const auto& spring) {
-        angles.push_back({spring.node, spring.law.rest_angle, spring.law.stiffness, spring.law.dashpot, 0});
+        angles.push_back({spring.node, spring.law.rest_angle, spring.law.stiffness, spring.law.dashpot, 0,
+                          as_in_space<D>(spring.shift)});
     };
     for (const auto& hinge : hinges_) add_angle(parts.hinges, hinge);
     if constexpr (D == 3)
@@ -91,7 +115,7 @@ BodyParts SpringNetwork<D>::parts() const {
 template <int D>
 void SpringNetwork<D>::add_forces(const Vectors& position, const Vectors& velocity, Vectors& force) const {
     for_each_spring([&](const auto& spring) {
-        const auto from_rest = spring.law.deviation(spring.arms(position));
+        const auto from_rest = spring.law.deviation(spring.arms_at(position));
         const double tension = spring.law.tension(from_rest, spring.arms(velocity));
         spring.for_each_node(from_rest.gradient, [&](int node, double sign, const Point& slope) {
             force[node] += (-sign * tension) * slope;
@@ -239,8 +263,9 @@ double SpringNetwork<D>::step_limit() const {
 template <int D>
 double SpringNetwork<D>::energy() const {
     double energy = 0;
-    for_each_spring(
-        [&](const auto& spring) { energy += spring.law.energy(spring.law.deviation(spring.arms(position_)).value); });
+    for_each_spring([&](const auto& spring) {
+        energy += spring.law.energy(spring.law.deviation(spring.arms_at(position_)).value);
+    });
     for (const LocalCell<D>& cell : cells_) energy += cell.energy(cell.at(position_));
     return energy;
 }

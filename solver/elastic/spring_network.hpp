@@ -18,12 +18,20 @@
 namespace dmp::solver {
 
 /// A spring of this law between nodes of one body.
-template <class Law>
+template <int D, class Law>
 struct LocalSpring {
     std::array<int, Law::nodes> node;
     Law law;
+    Arms<D, Law::arms.size()> shift{};  ///< BodyParts::Spring::shift
 
-    /// Differences of a value of the nodes along the spring's arms.
+    /// The arms between nodes at these positions.
+    template <class Vectors>
+    [[nodiscard]] auto arms_at(const Vectors& position) const {
+        auto arms = this->arms(position);
+        for (std::size_t k = 0; k < arms.size(); ++k) arms[k] += shift[k];
+        return arms;
+    }
+    /// Differences of a value of the nodes, such as velocities, along the spring's arms.
     template <class Vectors>
     [[nodiscard]] auto arms(const Vectors& of) const {
         std::array<typename Vectors::value_type, Law::arms.size()> arms;
@@ -121,7 +129,7 @@ class SpringNetwork final : public SpringBody {
 
   private:
     struct NoSprings {};
-    using Dihedrals = std::conditional_t<D == 3, std::vector<LocalSpring<DihedralForce>>, NoSprings>;
+    using Dihedrals = std::conditional_t<D == 3, std::vector<LocalSpring<D, DihedralForce>>, NoSprings>;
     class ImplicitSystem;
 
     static Vec in_space(const Point& point) {
@@ -157,8 +165,8 @@ class SpringNetwork final : public SpringBody {
     /// v += h F / m on free nodes; adds up the impulses of anchors and drag.
     void kick(double h, const Vectors& force, const Vectors& drag_velocity, Impulses& impulses);
 
-    std::vector<LocalSpring<BondForce<D>>> bonds_;
-    std::vector<LocalSpring<HingeForce<D>>> hinges_;
+    std::vector<LocalSpring<D, BondForce<D>>> bonds_;
+    std::vector<LocalSpring<D, HingeForce<D>>> hinges_;
     [[no_unique_address]] Dihedrals dihedrals_;
     std::vector<LocalCell<D>> cells_;
     std::vector<std::array<bool, D>> on_plane_;  ///< by node and axis: on a plane of symmetry across it

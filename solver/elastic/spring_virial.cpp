@@ -20,7 +20,7 @@ template <int D>
 std::vector<std::array<double, 6>> SpringNetwork<D>::virial() const {
     std::vector<std::array<double, 6>> virial(ids_.size());
     for_each_spring([&](const auto& spring) {
-        const auto arms = spring.arms(position_);
+        const auto arms = spring.arms_at(position_);
         const auto [value, gradient] = spring.law.deviation(arms);
         const double tension = 2 * spring.law.stiffness * value, share = 1.0 / static_cast<double>(spring.node.size());
         for (const int node : spring.node)

@@ -62,8 +62,9 @@ Driving::Driving(const Scene& scene, const ParticleSet& set, const ParticleSpace
     }
     for (const ForceOnPart& force : scene.forces) {
         const int part = number_of(set, force.part);
+        const bool by_volume = is_total(force.amount) && share_by_volume(set, part);
         const PartForce law{is_total(force.amount), counts_[static_cast<std::size_t>(part)]};
-        forces_.push_back({part, force.force, law, window_of(force),
+        forces_.push_back({part, force.force, law, window_of(force), by_volume,
                            std::ranges::any_of(*force.force, &Expression::depends_on_position),
                            std::ranges::any_of(*force.force, &Expression::depends_on_initial_position)});
     }
@@ -92,6 +93,24 @@ Driving::Driving(const Scene& scene, const ParticleSet& set, const ParticleSpace
     }
 }
 
+bool Driving::share_by_volume(const ParticleSet& set, int part) {
+    constexpr double alike = 1e-9;
+    if (set.parts[static_cast<std::size_t>(part)].kind == PartKind::spheres) return false;
+    double smallest = infinity, largest = 0, sum = 0;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.part[i] != part) continue;
+        smallest = std::min(smallest, set.volume[i]);
+        largest = std::max(largest, set.volume[i]);
+        sum += set.volume[i];
+    }
+    if (largest - smallest <= alike * largest) return false;
+    volume_over_mean_.resize(set.size(), 1);
+    const double mean = sum / static_cast<double>(counts_[static_cast<std::size_t>(part)]);
+    for (std::size_t i = 0; i < set.size(); ++i)
+        if (set.part[i] == part) volume_over_mean_[i] = set.volume[i] / mean;
+    return true;
+}
+
 Vec Driving::OnPart::at(double t, const Vec& x, const Vec& at_start) const {
     if (!window.acts(t)) return Vec::Zero();
     Vec value;
@@ -115,8 +134,7 @@ FromShape Driving::from(const Shape& shape, const Vec& x, double t) const {
 Vec Driving::uniform(int part, double t) const {
     Vec sum = Vec::Zero();
     for (const OnPart& force : forces_)
-        if (force.part == part && !force.depends_on_position && !force.depends_on_initial_position)
-            sum += force.at(t, Vec::Zero(), Vec::Zero());
+        if (force.part == part && force.is_uniform()) sum += force.at(t, Vec::Zero(), Vec::Zero());
     return sum;
 }
 
@@ -128,12 +146,12 @@ Vec Driving::in_box(const Vec& x) const {
     return inside;
 }
 
-Vec Driving::by_position(int part, const Vec& position, double t) const {
+Vec Driving::by_position(int part, const Vec& position, double t, double volume) const {
     const Vec x = in_box(position);
     Vec sum = Vec::Zero();
     for (const OnPart& force : forces_)
-        if (force.part == part && force.depends_on_position && !force.depends_on_initial_position)
-            sum += force.at(t, x, x);
+        if (force.part == part && !force.is_uniform() && !force.depends_on_initial_position)
+            sum += force.by_volume ? Vec(volume * force.at(t, x, x)) : force.at(t, x, x);
     for (const Shape& shape : shapes_) {
         if (shape.felt_by[static_cast<std::size_t>(part)] == 0 || !shape.window.acts(t)) continue;
         const FromShape found = from(shape, x, t);
@@ -142,10 +160,11 @@ Vec Driving::by_position(int part, const Vec& position, double t) const {
     return sum;
 }
 
-Vec Driving::by_initial_position(int part, const Vec& x, const Vec& at_start, double t) const {
+Vec Driving::by_initial_position(int part, const Vec& x, const Vec& at_start, double t, double volume) const {
     Vec sum = Vec::Zero();
     for (const OnPart& force : forces_)
-        if (force.part == part && force.depends_on_initial_position) sum += force.at(t, in_box(x), in_box(at_start));
+        if (force.part == part && force.depends_on_initial_position)
+            sum += (force.by_volume ? volume : 1) * force.at(t, in_box(x), in_box(at_start));
     return sum;
 }
 
@@ -164,9 +183,7 @@ double Driving::energy(int part, const Vec& x, double t) const {
 }
 
 bool Driving::is_uniform(int part) const {
-    const auto by_place = [&](const OnPart& force) {
-        return force.part == part && (force.depends_on_position || force.depends_on_initial_position);
-    };
+    const auto by_place = [&](const OnPart& force) { return force.part == part && !force.is_uniform(); };
     const auto is_felt = [&](const Shape& shape) { return shape.felt_by[static_cast<std::size_t>(part)] != 0; };
     return std::ranges::none_of(forces_, by_place) && std::ranges::none_of(shapes_, is_felt);
 }
@@ -198,12 +215,14 @@ void Driving::add_by_position(ParticleGroup& group, const SpringBodies& springs,
         // Beyond a plane of symmetry the image is driven.
         Vec seen = x;
         for (int axis = 0; axis < group.dimension(); ++axis) seen[axis] = space_.mirrored_back(x[axis], axis);
-        Vec force = by_position(static_cast<int>(part), seen, t);
+        const double volume =
+            volume_over_mean_.empty() ? 1 : volume_over_mean_.at(static_cast<std::size_t>(group.tags()[i].id));
+        Vec force = by_position(static_cast<int>(part), seen, t, volume);
         for (int axis = 0; axis < group.dimension(); ++axis)
             if (seen[axis] != x[axis]) force[axis] = -force[axis];
         // Solids do not change places with their images.
         if (group.kind() == PartKind::elastic)
-            force += by_initial_position(static_cast<int>(part), x, springs.rest_position(i), t);
+            force += by_initial_position(static_cast<int>(part), x, springs.rest_position(i), t, volume);
         if (force.isZero(0)) continue;
         for (int axis = 0; axis < group.dimension(); ++axis) {
             group.data(Field::force, axis)[i] += force[axis];

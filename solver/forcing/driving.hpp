@@ -59,7 +59,11 @@ class Driving {
         std::array<Expression, 3> force;  ///< [N]
         PartForce law;
         ScheduleWindow window;
+        bool by_volume = false;  ///< each particle has its share of a total force (volume_over_mean_)
         bool depends_on_position = false, depends_on_initial_position = false;
+        [[nodiscard]] bool is_uniform() const {
+            return !by_volume && !depends_on_position && !depends_on_initial_position;
+        }
         [[nodiscard]] Vec at(double t, const Vec& x, const Vec& at_start) const;
     };
     struct Shape {
@@ -71,12 +75,15 @@ class Driving {
         ScheduleWindow window;
     };
 
+    /// Whether a part's particles differ in volume; their volumes over the mean are then known.
+    bool share_by_volume(const ParticleSet& set, int part);
     [[nodiscard]] FromShape from(const Shape& shape, const Vec& x, double t) const;
-    /// The part of the force that is the same at any place; what depends on the present place alone; what asks for the
-    /// initial one.
+    /// The part of the force that is the same for any particle; what depends on it or its present place; what asks for
+    /// the initial one.
     [[nodiscard]] Vec uniform(int part, double t) const;
-    [[nodiscard]] Vec by_position(int part, const Vec& x, double t) const;
-    [[nodiscard]] Vec by_initial_position(int part, const Vec& x, const Vec& at_start, double t) const;
+    /// `volume` of the particle over the mean of its part.
+    [[nodiscard]] Vec by_position(int part, const Vec& x, double t, double volume = 1) const;
+    [[nodiscard]] Vec by_initial_position(int part, const Vec& x, const Vec& at_start, double t, double volume) const;
     [[nodiscard]] bool is_uniform(int part) const;
     [[nodiscard]] Vec in_box(const Vec& x) const;
     void add_uniform(ParticleGroup& group, int part, const Vec& force, int threads) const;
@@ -87,6 +94,8 @@ class Driving {
     std::vector<Shape> shapes_;
     std::vector<double> lightest_;     ///< particle of each part that has any [kg]
     std::vector<std::size_t> counts_;  ///< particles of each part, of all ranks
+    /// By id, a particle's volume over the mean of its part; 1 where all are alike. Empty: no force asks for it.
+    std::vector<double> volume_over_mean_;
     /// When forces were last added, of those that depend on place; all of them for particles kept elsewhere [m/s^2].
     double largest_acceleration_ = 0;
 };

@@ -31,9 +31,8 @@ std::string setting(const std::string& key, double value) { return key + " = " +
 double largest_strain(const SpringBodies& springs) {
     double largest = 0;
     for (const auto& body : springs.bodies())
-        for (const Bond& bond : body->bonds()) {
-            const double strain =
-                std::abs((body->position(bond.a) - body->position(bond.b)).norm() / bond.rest_length - 1);
+        for (const SpringBody::OwnBond& bond : body->bonds()) {
+            const double strain = std::abs(body->stretch(bond) / bond.rest_length);
             if (!(strain <= largest)) largest = strain;
             if (!std::isfinite(strain)) return std::numeric_limits<double>::infinity();
         }

@@ -58,7 +58,7 @@ class SolidFields {
     template <class Visit>
     void for_each_bond(const Visit& visit) const {
         for (const auto& body : springs_.bodies())
-            for (const Bond& bond : body->bonds())
+            for (const SpringBody::OwnBond& bond : body->bonds())
                 if (!body->of_wall(bond.a) && !body->of_wall(bond.b)) visit(*body, bond);
     }
 
@@ -91,7 +91,7 @@ class SolidFields {
     template <class ValueOf>
     void add_bond_field(const char* name, const char* unit, const ValueOf& value_of) {
         FrameField out{name, unit, 1, {}};
-        for_each_bond([&](const SpringBody& body, const Bond& bond) {
+        for_each_bond([&](const SpringBody& body, const SpringBody::OwnBond& bond) {
             out.values.push_back(static_cast<float>(value_of(bond, body.stretch(bond))));
         });
         group_.bond_fields.push_back(std::move(out));

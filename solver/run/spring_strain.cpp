@@ -58,7 +58,7 @@ std::vector<Warning> SpringStrain::add(const SpringBodies& springs, const Scene&
     };
     for (const auto& body : springs.bodies()) {
         for (std::size_t b = 0; b < body->bonds().size(); ++b) {
-            const Bond& bond = body->bonds()[b];
+            const SpringBody::OwnBond& bond = body->bonds()[b];
             const double strain = body->stretch(bond) / bond.rest_length;
             note(body->bond_origin(b), strain, strain);
         }

@@ -11,7 +11,7 @@ std::optional<std::array<int, 2>> overloaded_bond(const SpringBody& body, const 
     double most = 0;
     for (std::size_t b = 0; b < body.bonds().size(); ++b) {
         if (body.bond_origin(b) != origin) continue;
-        const Bond& bond = body.bonds()[b];
+        const SpringBody::OwnBond& bond = body.bonds()[b];
         const double excess = law.excess(body.stretch(bond), bond.rest_length, bond.stiffness);
         if (!(excess > 0) || excess < most) continue;
         const auto [low, high] = std::minmax(body.ids()[bond.a], body.ids()[bond.b]);

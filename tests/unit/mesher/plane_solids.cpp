@@ -202,8 +202,16 @@ TEST(PlaneSolids, that_cannot_be_are_refused_with_what_to_do) {
 }
 
 TEST(PlaneSolids, end_at_periodic_sides_and_it_is_said) {
-    const auto meshed = mesh_texts(block.with("{1.75, 0, 0}", "{0, 0, 0}").with("{1.75, 1, 0}", "{0, 1, 0}"));
+    const Texts at_a_side = block.with("{1.75, 0, 0}", "{0, 0, 0}").with("{1.75, 1, 0}", "{0, 1, 0}");
+    const auto meshed = mesh_texts(at_a_side);
     EXPECT_THAT(meshed.report.notes, Contains(HasSubstr("block: its springs end at the side of the box across x")));
+    EXPECT_THAT(meshed.report.warnings, Not(Contains(HasSubstr("its springs end"))));
+    const auto cut = mesh_texts(at_a_side.with("{2.25, 0, 0}", "{4, 0, 0}").with("{2.25, 1, 0}", "{4, 1, 0}"));
+    EXPECT_THAT(
+        cut.report.warnings,
+        Contains(AllOf(HasSubstr("block: its springs end at the side of the box across x, which is periodic, near "
+                                 "(62.5, 187.5) mm"),
+                       HasSubstr("model = \"cells\""))));
 }
 
 }  // namespace

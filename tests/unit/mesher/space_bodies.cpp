@@ -287,8 +287,17 @@ TEST(SpaceBodies, wrong_ones_are_refused_with_what_to_do) {
 }
 
 TEST(SpaceBodies, a_body_at_the_side_of_the_box_is_noted) {
-    const auto meshed = mesh_texts(column.with("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0, 0, 0.25, 0.5, 0.75, 0.5}"));
-    EXPECT_THAT(meshed.report.notes, Contains(HasSubstr("body: its springs end at the side of the box across x")));
+    const auto drawn_as = [](const char* box) {
+        return mesh_texts(column.with("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", box)).report;
+    };
+    const auto at_a_side = drawn_as("{0, 0, 0.25, 0.5, 0.75, 0.5}");
+    EXPECT_THAT(at_a_side.notes, Contains(HasSubstr("body: its springs end at the side of the box across x")));
+    EXPECT_THAT(at_a_side.warnings, Not(Contains(HasSubstr("its springs end"))));
+    EXPECT_THAT(
+        drawn_as("{0, 0, 0.25, 2, 0.75, 0.5}").warnings,
+        Contains(AllOf(HasSubstr("body: its springs end at the side of the box across x, which is periodic, near "
+                                 "(62.5, 187.5, 312.5) mm"),
+                       HasSubstr("model = \"cells\""))));
 }
 
 }  // namespace
