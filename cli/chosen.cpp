@@ -137,7 +137,7 @@ Listing chosen_values(const Scene& scene, const Plan& plan, const Origin& origin
         list.add(
             "damping " + *part->name,
             fmt::format("{} {:.3g} of critical ({}), drag {:.3g} kg/s ({}), mass damping {:.3g} 1/s ({})",
-                        *part->model == ElasticModel::cells ? "cells" : "bonds", *part->bond_damping,
+                        scene.is_of_cells(*part) ? "cells" : "bonds", *part->bond_damping,
                         origin_text(part->bond_damping, "bond_damping"), *part->drag, origin_text(part->drag, "drag"),
                         *part->mass_damping, origin_text(part->mass_damping, "mass_damping")));
     }

@@ -27,14 +27,10 @@ void ParticleBuilder::claim_solids() {
         const Region* region = geometry_.region(part->name);
         if (region == nullptr) continue;
         SpringSolid& solid = solids_.emplace_back(SpringSolid{part, InsideTest(*region), {}, {}, {}});
-        switch (*part->model) {
-            case ElasticModel::springs:
-                claim_points(solid);
-                break;
-            case ElasticModel::cells:
-                claim_cells(solid, *region);
-                break;
-        }
+        if (scene_.is_of_cells(*part))
+            claim_cells(solid, *region);
+        else
+            claim_points(solid);
         for (std::size_t n = 0; n < solid.points.size(); ++n)
             nodes_.add(solid.points[n], {.of_a_solid = true, .anchored = solid.anchored[n]});
         nodes_.sort(spacing_);

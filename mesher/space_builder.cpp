@@ -69,8 +69,8 @@ SpaceBuilder::SpaceBuilder(const Geometry& geometry, const Scene& scene)
     }
     for (const Part* part : scene.parts_of(PartKind::elastic))
         if (const Solid* solid = geometry.solid(part->name);
-            solid != nullptr &&
-            (part->bonds_within.given() || *part->model == ElasticModel::cells || !take_as_sheet(*part, *solid)))
+            solid != nullptr && (part->bonds_within.given() || (part->model.given() && scene.is_of_cells(*part)) ||
+                                 !take_as_sheet(*part, *solid)))
             claim_elastic(*part, *solid);
     for (std::size_t fluid = 0; fluid < fluids_.size(); ++fluid) {
         const TriangleSurface& surface = geometry.solid(fluids_[fluid]->name)->surface;

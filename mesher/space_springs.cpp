@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "base/length_text.hpp"
-#include "base/unlisted_value.hpp"
 #include "geometry/local_thickness.hpp"
 #include "geometry/mid_surface.hpp"
 #include "geometry/surface_pieces.hpp"
@@ -52,6 +51,7 @@ bool SpaceBuilder::take_as_sheet(const Part& part, const Solid& solid) {
     SheetSearch found = mid_surface(solid.surface, 1.5 * limit);
     std::ostringstream text;
     text.precision(3);
+    if (!found.sheet && scene_.is_of_cells(part)) return false;  // which need no two of them across
     if (!found.sheet) {
         text << "'" << part.name.value << "' is thinner than two spacings, " << length_text(found.thickness) << " near "
              << position_text(found.where) << ", and no sheet that could become a shell: " << found.problem;
@@ -71,13 +71,10 @@ bool SpaceBuilder::take_as_sheet(const Part& part, const Solid& solid) {
 }
 
 void SpaceBuilder::claim_elastic(const Part& part, const Solid& solid) {
-    switch (*part.model) {
-        case ElasticModel::springs:
-            return claim_points(part, solid);
-        case ElasticModel::cells:
-            return claim_cells(part, solid);
-    }
-    unlisted_value(*part.model);
+    if (scene_.is_of_cells(part))
+        claim_cells(part, solid);
+    else
+        claim_points(part, solid);
 }
 
 /// Takes the lattice points inside the solid that belong to whole cells; the others stay for what is drawn there too.

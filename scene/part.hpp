@@ -37,7 +37,7 @@ struct Part {
     [[nodiscard]] bool moves() const;           ///< whether the part has a velocity or spin
 
     // elastic
-    Value<ElasticModel> model = ElasticModel::springs;  ///< of an area in 2-D and a volume in 3-D
+    Value<ElasticModel> model = ElasticModel::cells;  ///< of an area in 2-D and a volume in 3-D (Scene::is_of_cells)
     Value<ElasticLaw> elastic_law = ElasticLaw::of<models::SaintVenantKirchhoff>();  ///< of cells
     Value<double> bending_stiffness;           ///< EI [N m^2]; 0: from youngs_modulus
     Value<double> axial_stiffness;             ///< EA [N]; 0: from youngs_modulus

@@ -61,7 +61,7 @@ bool Scene::is_of_cells(const Part& part) const {
         case ElasticModel::springs:
             return false;
         case ElasticModel::cells:
-            return true;
+            return !part.bonds_within.given() && (dimension == 2 ? part.density.given() : !part.thickness.given());
     }
     unlisted_value(*part.model);
 }

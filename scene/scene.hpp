@@ -137,7 +137,8 @@ struct Scene {
     [[nodiscard]] std::size_t species_of(const Measure& measure) const;
     /// The enabled parts that take the species up.
     [[nodiscard]] std::vector<const Part*> takers_of(const Species& of) const;
-    /// Whether an elastic part is a solid of cells.
+    /// Whether an elastic part is a solid of cells: an area in 2-D, a volume in 3-D. A volume thinner than two spacings
+    /// becomes a shell all the same, unless `model` is given.
     [[nodiscard]] bool is_of_cells(const Part& part) const;
     /// Whether elastic bodies may gain or lose bonds during the run.
     [[nodiscard]] bool changes_bodies() const { return !solidify.empty() || !breaking.empty(); }

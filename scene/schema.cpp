@@ -140,8 +140,9 @@ std::vector<Key<Part>> part_keys() {
          "Density of the material, in 3-D and for an area in 2-D; a strip (a curve in 2-D) takes mass_per_length "
          "instead."},
         {"model", springs, &Part::model, one_of<ElasticModel>(), not_given,
-         "What an area in 2-D, or a volume in 3-D, of an elastic solid is made of: \"springs\" between its particles (without this key), or "
-         "\"cells\", finite elements that have any Poisson's ratio below 0.5 and bend right with two particles across."},
+         "What an area in 2-D, or a volume in 3-D, of an elastic solid is made of: \"cells\" (without this key), finite "
+         "elements that have any Poisson's ratio below 0.5 and bend right with two particles across, or \"springs\" "
+         "between its particles, which bonds of [[join]] and [[solidify]] need."},
         {"elastic_law", springs, &Part::elastic_law, one_of<ElasticLaw>(), not_given,
          "Law of a solid of cells; without this key that of Saint Venant and Kirchhoff."},
         {"bending_stiffness", springs, &Part::bending_stiffness, quantity("3e-6 N*m^2", positive), not_given,

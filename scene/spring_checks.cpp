@@ -97,19 +97,15 @@ void check_elastic_material(const Scene& scene, const Part& part) {
     need(part.youngs_modulus.given(), "youngs_modulus", "2 MPa");
 }
 
-/// Cells are for areas and volumes, and stand alone: nothing is bonded to them.
-void check_cells(const Scene& scene, const Part& part) {
+/// What is given as cells has to be an area or a volume.
+void check_model(const Scene& scene, const Part& part) {
     const std::string part_name = "part '" + *part.name + "'";
-    const auto use_springs = [](const std::string& key) { return "write model = \"springs\", or leave out " + key; };
-    switch (*part.model) {
-        case ElasticModel::springs:
-            if (part.elastic_law.given())
-                throw InputError(part.elastic_law.location, part_name + ": elastic_law is for solids of cells",
-                                 "write model = \"cells\", or leave out elastic_law");
-            return;
-        case ElasticModel::cells:
-            break;
-    }
+    if (part.elastic_law.given() && !scene.is_of_cells(part))
+        throw InputError(
+            part.elastic_law.location, part_name + ": elastic_law is for solids of cells: areas in 2-D, volumes in 3-D",
+            part.model.given() || part.bonds_within.given() ? "leave out model and bonds_within, or elastic_law"
+                                                            : "leave out elastic_law");
+    if (!part.model.given() || *part.model == ElasticModel::springs) return;
     if (scene.dimension == 2 && !part.density.given())
         throw InputError(part.model.location, part_name + " is a strip, and model = \"cells\" is for areas",
                          "leave out model, or draw the part as an area, with density");
@@ -118,7 +114,16 @@ void check_cells(const Scene& scene, const Part& part) {
                          "leave out model, or draw the part as a volume, without thickness");
     if (part.bonds_within.given())
         throw InputError(part.bonds_within.location, part_name + ": bonds_within is for solids of springs",
-                         use_springs("bonds_within"));
+                         "write model = \"springs\", or leave out bonds_within");
+}
+
+/// Cells stand alone: nothing is bonded to them.
+void check_cells(const Scene& scene, const Part& part) {
+    if (!scene.is_of_cells(part)) return;
+    const std::string part_name = "part '" + *part.name + "'";
+    const auto use_springs = [&](const std::string& key) {
+        return "write model = \"springs\" for '" + *part.name + "', or leave out " + key;
+    };
     if (*part.poisson_ratio >= 0.5)
         throw InputError(part.poisson_ratio.location, part_name + ": a Poisson's ratio of 0.5 cannot be reached",
                          "write 0.49 for a solid that keeps its volume");
@@ -144,6 +149,7 @@ void check_elastic(const Scene& scene) {
         if (*part.kind == PartKind::elastic) {
             check_bonds_within(scene, part);
             check_elastic_material(scene, part);
+            check_model(scene, part);
             check_cells(scene, part);
         }
 }

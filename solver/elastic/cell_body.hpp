@@ -18,6 +18,7 @@ class CellBody final : public SpringBody {
 
     CellBody(const BodyParts& parts, const std::string& name, double spacing, const SpringContact& contact);
 
+    [[nodiscard]] bool consists_of_cells() const override { return true; }
     [[nodiscard]] BodyParts parts() const override;
     SpringImpulses advance(std::span<const Vec> force, double dt, int substeps) override;
 

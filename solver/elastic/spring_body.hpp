@@ -47,6 +47,9 @@ class SpringBody {
     static std::unique_ptr<SpringBody> make(const BodyParts& parts, const std::string& name, const ParticleSpace& space,
                                             const SpringContact& contact);
 
+    /// Whether its particles are cells between nodes, or nodes between springs.
+    [[nodiscard]] virtual bool consists_of_cells() const { return false; }
+
     /// Its parts in their current state.
     [[nodiscard]] virtual BodyParts parts() const = 0;
 

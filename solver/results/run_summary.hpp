@@ -81,6 +81,7 @@ struct Aggregate {
 struct LargestStrain {
     std::string name;
     double compressed = 0, stretched = 0;  ///< the lowest, at most 0, and the highest, at least 0
+    bool of_cells = false;                 ///< Green's principal strains, not those of bonds
 };
 
 struct RunSummary {

@@ -59,10 +59,11 @@ std::string solidify_rule_text(const Solidify& rule) {
 
 std::string position_of(const Part& part) { return "part '" + part.name.value + "' at " + part.name.location.text(); }
 
-/// What the springs of one origin (body_names) are besides bonds of one stiffness.
+/// What bodies of one origin (body_names) have besides bonds of one stiffness.
 struct OtherSprings {
     double stiffness = 0;  ///< of the first bond [N/m]
     bool bonds = false, hinges = false, dihedrals = false;
+    bool cells = false;
 };
 
 /// By number of the origin.
@@ -70,6 +71,7 @@ std::vector<OtherSprings> other_springs(const SpringBodies& springs, std::size_t
     std::vector<OtherSprings> of_origin(origins);
     for (const auto& body : springs.bodies()) {
         const BodyParts all = body->parts();
+        if (body->consists_of_cells()) of_origin.at(static_cast<std::size_t>(body->origin(0))).cells = true;
         // An angle is of what its nodes are of.
         const auto of_angle = [&](const auto& angle) -> OtherSprings& {
             return of_origin.at(static_cast<std::size_t>(body->origin(static_cast<std::size_t>(angle.node[0]))));
@@ -206,16 +208,13 @@ void Models::add_elastic(const SpringBodies& springs) {
     for (std::size_t number = 0; number < parts.size(); ++number) {
         const Part& part = *parts[number];
         const std::string where = position_of(part);
-        switch (*part.model) {
-            case ElasticModel::springs:
-                add("bonds with dashpots", "U = k_b (r - r0)^2", where);
-                break;
-            case ElasticModel::cells:
-                add("elastic cells", "one-point finite elements: Belytschko & Bindeman 1993, Puso 2000",
-                    because(part.model, "model"));
-                add(to_string(*part.elastic_law), std::string(part.elastic_law->facts().citation),
-                    because(part.elastic_law, "elastic_law"));
-                break;
+        if (others[number].cells) {
+            add("elastic cells", "one-point finite elements: Belytschko & Bindeman 1993, Puso 2000",
+                because(part.model, "model"));
+            add(to_string(*part.elastic_law), std::string(part.elastic_law->facts().citation),
+                because(part.elastic_law, "elastic_law"));
+        } else {
+            add("bonds with dashpots", "U = k_b (r - r0)^2", where);
         }
         if (part.cross_bonds || (part.shear_stiffness.given() && others[number].bonds))
             add("cross bonds with dashpots", "U = k_c (r - r0)^2",

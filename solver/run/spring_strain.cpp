@@ -27,26 +27,23 @@ const Part* judged_part(const Scene& scene, const std::string& name) {
 Warning warning_of(const LargestStrain& strain, const Part& part) {
     const std::string range = "was strained by " + number_text(100 * strain.compressed, 3) + " to " +
                               number_text(100 * strain.stretched, 3) + " %";
-    switch (*part.model) {
-        case ElasticModel::springs:
-            return {"part." + strain.name, part.name.location,
-                    range +
-                        " along its bonds, whose forces are linear in their lengths: its stiffness is no longer that "
-                        "of the "
-                        "scene (docs/elastic.md, \"Large strains\")",
-                    "compare with a finer spacing, or make the solid stiffer or its load smaller"};
-        case ElasticModel::cells:
-            return {"part." + strain.name, part.name.location,
-                    range + " (Green's strain), and its law, that of Saint Venant and Kirchhoff, is for small strains",
-                    "write elastic_law = \"neo_hookean\", or make the solid stiffer or its load smaller"};
-    }
-    unlisted_value(*part.model);
+    if (strain.of_cells)
+        return {"part." + strain.name, part.name.location,
+                range + " (Green's strain), and its law, that of Saint Venant and Kirchhoff, is for small strains",
+                "write elastic_law = \"neo_hookean\", or make the solid stiffer or its load smaller"};
+    return {"part." + strain.name, part.name.location,
+            range +
+                " along its bonds, whose forces are linear in their lengths: its stiffness is no longer that of the "
+                "scene (docs/elastic.md, \"Large strains\")",
+            "compare with a finer spacing, or make the solid stiffer or its load smaller"};
 }
 
 }  // namespace
 
 SpringStrain::SpringStrain(const SpringBodies& springs) {
     for (const std::string& name : springs.names()) largest_.push_back({name});
+    for (const auto& body : springs.bodies())
+        if (body->consists_of_cells()) largest_[static_cast<std::size_t>(body->origin(0))].of_cells = true;
 }
 
 std::vector<Warning> SpringStrain::add(const SpringBodies& springs, const Scene& scene) {

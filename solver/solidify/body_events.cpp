@@ -24,13 +24,25 @@ std::optional<std::array<int, 2>> overloaded_bond(const SpringBody& body, const 
 
 namespace {
 
-std::variant<BondBreak, SolidBreak> law_of(const Scene& scene, const Breaking& rule) {
-    const Part* part = scene.part_named(*rule.part);
-    if (part != nullptr && scene.is_of_cells(*part)) {
-        if (rule.stress_above > 0) return SolidBreak{SolidBreak::Criterion::stress, rule.stress_above};
+/// A part's particles may be others than its scene asks for: a thin volume becomes a shell, and particles may come from
+/// a file.
+void refuse_limit(const Value<double>& limit, const std::string& text, const Breaking& rule) {
+    if (limit.given())
+        throw InputError(limit.location,
+                         "break '" + *rule.name + "': " + text + " (a volume thinner than two spacings is a shell)",
+                         "give strain_above");
+}
+
+std::variant<BondBreak, SolidBreak> law_of(const ParticleSet& set, const Breaking& rule) {
+    const bool of_cells = std::ranges::any_of(
+        set.cells, [&](const SolidCell& cell) { return set.parts[set.part[cell.particle]].name == *rule.part; });
+    if (of_cells) {
+        refuse_limit(rule.force_above, "'" + *rule.part + "' consists of cells, and force_above is for bonds", rule);
+        if (rule.stress_above.given()) return SolidBreak{SolidBreak::Criterion::stress, rule.stress_above};
         return SolidBreak{SolidBreak::Criterion::strain, rule.strain_above};
     }
-    if (rule.force_above > 0) return BondBreak{BreakCriterion::force, rule.force_above};
+    refuse_limit(rule.stress_above, "'" + *rule.part + "' consists of bonds, and stress_above is for cells", rule);
+    if (rule.force_above.given()) return BondBreak{BreakCriterion::force, rule.force_above};
     return BondBreak{BreakCriterion::strain, rule.strain_above};
 }
 
@@ -56,7 +68,7 @@ BodyEvents::BodyEvents(const Scene& scene, const ParticleSet& set, const Ranks& 
     }
     const auto names = body_names(scene);
     for (const Breaking& rule : scene.breaking) {
-        breaks_.push_back({*rule.name, law_of(scene, rule),
+        breaks_.push_back({*rule.name, law_of(set, rule),
                            static_cast<int>(std::ranges::find(names, *rule.part) - names.begin()), rule.interval == 0,
                            Schedule(rule.interval > 0 ? rule.interval.value : 1)});
     }
