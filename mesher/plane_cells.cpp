@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mesher/cell_solids.hpp"
+#include "mesher/own_lattice.hpp"
 #include "mesher/particle_builder.hpp"
 #include "mesher/region_on_boxes.hpp"
 #include "mesher/relax.hpp"
@@ -80,6 +81,20 @@ class Room {
     std::map<BoxIndex, std::vector<std::size_t>> in_box_;
 };
 
+/// Adds what another area fills of each cell's box.
+void fill_up(const RegionOnBoxes& with, const BoxLattice& boxes, SolidCells& cells) {
+    for (std::size_t n = 0; n < cells.cells.size(); ++n) {
+        SolidCell& cell = cells.cells[n];
+        Filling& filling = cells.fillings[n];
+        const Vec middle = filling.centroid - cell.centroid;
+        const Filling more = with.filling(box_at(boxes, middle));
+        if (!(more.volume > 0)) continue;
+        filling.add(more);
+        cell.centroid = filling.centroid - middle;
+        cell.moment = filling.moment;
+    }
+}
+
 }  // namespace
 
 std::vector<Vec> ParticleBuilder::places_beside_cells(const Part& part, const std::vector<Vec>& corners) const {
@@ -106,7 +121,11 @@ std::pair<std::size_t, double> ParticleBuilder::fill_beside_cells(const Part& pa
     ParticleSet& set = result_.particles;
     const BoxLattice boxes = boxes_of(set, lattice_step());
     const RegionOnBoxes liquid(*geometry_.region(part.name), boxes);
-    std::set<BoxIndex> taken, looked_at;
+    std::set<BoxIndex> taken, looked_at, with_places;
+    // A cell of a lattice of its own may reach two boxes far, together with what it has taken up.
+    std::vector<std::array<int, 2>> around;
+    for (int y = -2; y <= 2; ++y)
+        for (int x = -2; x <= 2; ++x) around.push_back({x, y});
     std::size_t count = 0;
     for (std::size_t i = 0; i < set.size(); ++i)
         if (set.part[i] == number) {
@@ -119,11 +138,12 @@ std::pair<std::size_t, double> ParticleBuilder::fill_beside_cells(const Part& pa
         const RegionOnBoxes drawn(*geometry_.region(solid.part->name), boxes);
         for (const SolidCell& cell : solid.cells->cells) {
             const BoxIndex at = box_at(boxes, solid.cells->fillings[cell.particle].centroid);
-            for (int k = 0; k < 9; ++k) {
-                const BoxIndex box = boxes.in_period({at[0] + k % 3 - 1, at[1] + k / 3 - 1, 0});
-                if (!looked_at.insert(box).second) continue;
+            for (const auto& [x, y] : around) {
+                const BoxIndex box = boxes.in_period({at[0] + x, at[1] + y, 0});
                 const double share = liquid.filling(box).volume / boxes.volume();
-                if (share > 0) corners.push_back(boxes.corner(box));
+                const bool is_beside = std::max(std::abs(x), std::abs(y)) <= 1;
+                if (share > 0 && is_beside && with_places.insert(box).second) corners.push_back(boxes.corner(box));
+                if (!looked_at.insert(box).second) continue;
                 const bool is_left_out = !taken.contains(box) && fluid_at(boxes.middle(box)) == &part;
                 if (is_left_out || drawn.filling(box).volume > 0) missing += share - (taken.contains(box) ? 1 : 0);
             }
@@ -150,8 +170,16 @@ std::pair<std::size_t, double> ParticleBuilder::fill_beside_cells(const Part& pa
 
 void ParticleBuilder::claim_cells(SpringSolid& solid, const Region& region) {
     const Part& part = *solid.part;
-    const BoxLattice boxes = boxes_of(result_.particles, lattice_step());
+    const BoxLattice of_scene = boxes_of(result_.particles, lattice_step());
+    const CurveSet* anchor = part.anchor->empty() ? nullptr : geometry_.curve_set(part.anchor);
+    const BoxLattice boxes = own_lattice(result_.particles, of_scene, marks_of(region, anchor, spacing_));
     SolidCells cells = RegionOnBoxes(region, boxes).cells();
+    if (anchor != nullptr) {
+        const Region behind = behind_anchor(region, *anchor, spacing_);
+        fill_up(RegionOnBoxes(behind, boxes), boxes, cells);
+    }
+    if (std::string note = lattice_text(part.name, of_scene, boxes); !note.empty())
+        result_.report.notes.push_back(std::move(note));
     check_filled(part, cells, region.area());
     hold_on_planes(result_.particles, cells);
     clamp_cells(part, cells);

@@ -102,6 +102,9 @@ class SpaceBuilder {
     void claim_elastic(const Part& part, const Solid& solid);
     void claim_points(const Part& part, const Solid& solid);
     void claim_cells(const Part& part, const Solid& solid);
+    void claim_box(const Vec& low, const Vec& size);
+    /// The surface that a part is clamped to; null: none.
+    [[nodiscard]] const TriangleSurface* anchor_of(const Part& part) const;
     void clamp_cells(const Part& part, SolidCells& cells) const;
     void add_cells(SpringSolid& solid, int part, MeshReport::SpringLine& line);
     /// False where the solid is thick enough for cells; throws InputError where it is thin, and no sheet.

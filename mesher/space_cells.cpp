@@ -4,10 +4,34 @@
 #include <sstream>
 
 #include "mesher/cell_solids.hpp"
+#include "mesher/own_lattice.hpp"
 #include "mesher/solid_on_boxes.hpp"
 #include "mesher/space_builder.hpp"
 
 namespace dmp::mesher {
+
+/// Takes the points of the scene's lattice in the box of a cell.
+void SpaceBuilder::claim_box(const Vec& low, const Vec& size) {
+    const Vec step = lattice_step(), first = lattice_->at(0, 0, 0);
+    const std::array<long, 3> points{lattice_->points(), lattice_->rows()[0].lines,
+                                     static_cast<long>(lattice_->rows().size())};
+    std::array<long, 3> from{}, to{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto at = static_cast<std::size_t>(axis);
+        const double begin = (low[axis] - first[axis]) / step[axis], end = begin + size[axis] / step[axis];
+        constexpr double a_little = 1e-6;
+        // Outside of the lattice there is no fluid.
+        from.at(at) = std::max(0L, std::lround(std::ceil(begin - a_little)));
+        to.at(at) = std::min(points.at(at), std::lround(std::ceil(end - a_little)));
+    }
+    for (long k = from[2]; k < to[2]; ++k)
+        for (long j = from[1]; j < to[1]; ++j)
+            for (long i = from[0]; i < to[0]; ++i) {
+                std::int16_t& here =
+                    owner_.at(static_cast<std::size_t>((k * lattice_->rows()[0].lines + j) * lattice_->points() + i));
+                if (here == nobody) here = in_a_shell;
+            }
+}
 
 /// Takes the lattice points inside the solid, and those in boxes with a cell of it.
 void SpaceBuilder::claim_cells(const Part& part, const Solid& solid) {
@@ -21,33 +45,29 @@ void SpaceBuilder::claim_cells(const Part& part, const Solid& solid) {
             "the surface of '" + part.name.value + "' has holes, so that what of a cell it fills is not known",
             "close it: geometry.repair, or dmp inspect, says where it is open");
     const Vec step = lattice_step();
-    const BoxLattice boxes = boxes_of(result_.particles, step, lattice_->at(0, 0, 0) - 0.5 * step);
+    const BoxLattice of_scene = boxes_of(result_.particles, step, lattice_->at(0, 0, 0) - 0.5 * step);
+    const BoxLattice boxes =
+        own_lattice(result_.particles, of_scene, marks_of(solid.surface, anchor_of(part), spacing_));
+    if (std::string note = lattice_text(part.name, of_scene, boxes); !note.empty())
+        result_.report.notes.push_back(std::move(note));
     SolidCells cells = SolidOnBoxes(solid.surface, boxes).cells();
     check_filled(part, cells, solid.volume());
     hold_on_planes(result_.particles, cells);
     const std::int16_t owner = owner_of_wall(walls_.size() + spring_solids_.size());
     claim(solid.surface, owner);
-    for (const SolidCell& cell : cells.cells) {
-        const Vec place = (cells.nodes[cell.node[0]].position - boxes.origin).cwiseQuotient(step);
-        std::array<long, 3> at{};
-        for (int axis = 0; axis < 3; ++axis) at[axis] = std::lround(place[axis]);
-        const std::array<long, 3> points{lattice_->points(), lattice_->rows()[0].lines,
-                                         static_cast<long>(lattice_->rows().size())};
-        bool is_outside = false;  // of the lattice, where no fluid is
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            is_outside = is_outside || at[axis] < 0 || at[axis] >= points[axis];
-        if (is_outside) continue;
-        std::int16_t& here = owner_.at(
-            static_cast<std::size_t>((at[2] * lattice_->rows()[0].lines + at[1]) * lattice_->points() + at[0]));
-        if (here == nobody) here = in_a_shell;
-    }
+    for (const SolidCell& cell : cells.cells) claim_box(cells.nodes[cell.node[0]].position, cell.size);
     spring_solids_.push_back({&part, {}, std::move(cells)});
+}
+
+const TriangleSurface* SpaceBuilder::anchor_of(const Part& part) const {
+    if (part.anchor->empty()) return nullptr;
+    const Solid* solid = geometry_.solid(part.anchor);
+    return solid != nullptr ? &solid->surface : &geometry_.surface_set(part.anchor)->surface;
 }
 
 void SpaceBuilder::clamp_cells(const Part& part, SolidCells& cells) const {
     if (part.anchor->empty()) return;
-    const Solid* solid = geometry_.solid(part.anchor);
-    const TriangleSurface& surface = solid != nullptr ? solid->surface : geometry_.surface_set(part.anchor)->surface;
+    const TriangleSurface& surface = *anchor_of(part);
     const double step = lattice_step().maxCoeff();
     const NearestTriangle anchor(surface, farthest_clamped * step);
     const std::vector<bool> of_cut = nodes_of_cut_cells(cells, 3);
