@@ -73,7 +73,7 @@ TEST(OwnLattice, is_the_scenes_without_flat_sides_or_where_that_has_them_on_it) 
         const BoxLattice boxes = own(region);
         EXPECT_EQ(boxes.origin, Vec::Zero());
         EXPECT_EQ(boxes.step, Vec(1, 1, 0));
-        EXPECT_EQ(lattice_text("solid", boxes_of(space(), Vec(1, 1, 0)), boxes), "");
+        EXPECT_EQ(lattice_text(boxes_of(space(), Vec(1, 1, 0)), boxes), "");
     }
 }
 
@@ -145,8 +145,7 @@ TEST(OwnLattice, is_the_scenes_where_nodes_have_to_stand_on_a_side_of_it) {
 TEST(OwnLattice, is_reported) {
     const BoxLattice of_scene = boxes_of(space(), Vec(1, 1, 0)),
                      boxes = own(rectangle(Vec(3.25, 2, 0), Vec(11.45, 5, 0)));
-    EXPECT_THAT(lattice_text("bar", of_scene, boxes),
-                HasSubstr("along x shifted by 0.25 spacings and stretched by 2.5 %"));
+    EXPECT_THAT(lattice_text(of_scene, boxes), HasSubstr("along x shifted by 0.25 spacings and stretched by 2.5 %"));
 }
 
 /// A block in a periodic box of liquid of three metres a side, with 0.25 m between particles.
