@@ -10,7 +10,7 @@
 
 namespace dmp::mesher {
 
-/// A turn in the plane about the origin: from the axes of the scene to those of a lattice, and back.
+/// A turn about the origin in 2-D: from the axes of the scene to those of a lattice, and back.
 class Turn {
   public:
     /// @param angle of the lattice's x axis from that of the scene [rad]

@@ -160,7 +160,7 @@ std::vector<Vec> moved_in_turned_axes(double angle, const std::string& stepping)
 }
 
 TEST(CellsInScenes, a_beam_at_an_angle_moves_as_one_along_the_axes) {
-    for (const std::string& stepping : {"implicit", "subcycled"}) {
+    for (const char* stepping : {"implicit", "subcycled"}) {
         const std::vector<Vec> straight = moved_in_turned_axes(0, stepping);
         EXPECT_EQ(straight.size(), 32U * 4);
         double most = 0;
