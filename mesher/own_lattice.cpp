@@ -223,7 +223,7 @@ BoxLattice own_lattice(const ParticleSpace& space, const BoxLattice& of_scene, c
     return own;
 }
 
-std::string lattice_text(const std::string& part, const BoxLattice& of_scene, const BoxLattice& own) {
+std::string lattice_text(const BoxLattice& of_scene, const BoxLattice& own) {
     std::ostringstream text;
     text.precision(3);
     for (int axis = 0; axis < own.dimension; ++axis) {
@@ -235,8 +235,7 @@ std::string lattice_text(const std::string& part, const BoxLattice& of_scene, co
             text << " and stretched by " << 100 * stretch << " %";
     }
     if (text.tellp() == 0) return {};
-    return part +
-           ": its cells have a lattice of their own, whose nodes stand on its anchor or its sides: " + text.str();
+    return "with nodes on its anchor or its sides: " + text.str();
 }
 
 }  // namespace dmp::mesher

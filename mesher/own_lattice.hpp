@@ -40,6 +40,6 @@ struct LatticeMarks {
 constexpr double most_stretched = 0.05;
 
 /// What the report says of a lattice that is not the scene's; empty: it is.
-[[nodiscard]] std::string lattice_text(const std::string& part, const BoxLattice& of_scene, const BoxLattice& own);
+[[nodiscard]] std::string lattice_text(const BoxLattice& of_scene, const BoxLattice& own);
 
 }  // namespace dmp::mesher

@@ -11,6 +11,7 @@
 #include "mesher/particle_builder.hpp"
 #include "mesher/region_on_boxes.hpp"
 #include "mesher/relax.hpp"
+#include "mesher/turned_lattice.hpp"
 
 namespace dmp::mesher {
 
@@ -121,11 +122,7 @@ std::pair<std::size_t, double> ParticleBuilder::fill_beside_cells(const Part& pa
     ParticleSet& set = result_.particles;
     const BoxLattice boxes = boxes_of(set, lattice_step());
     const RegionOnBoxes liquid(*geometry_.region(part.name), boxes);
-    std::set<BoxIndex> taken, looked_at, with_places;
-    // A cell of a lattice of its own may reach two boxes far, together with what it has taken up.
-    std::vector<std::array<int, 2>> around;
-    for (int y = -2; y <= 2; ++y)
-        for (int x = -2; x <= 2; ++x) around.push_back({x, y});
+    std::set<BoxIndex> taken, looked_at;
     std::size_t count = 0;
     for (std::size_t i = 0; i < set.size(); ++i)
         if (set.part[i] == number) {
@@ -134,20 +131,25 @@ std::pair<std::size_t, double> ParticleBuilder::fill_beside_cells(const Part& pa
         }
     double missing = 0;  // [boxes]
     std::vector<Vec> corners;
+    const auto look_at = [&](const BoxIndex& box, const RegionOnBoxes& drawn) {
+        if (!looked_at.insert(box).second) return;
+        const double share = liquid.filling(box).volume / boxes.volume();
+        if (share > 0) corners.push_back(boxes.corner(box));
+        const bool is_left_out = !taken.contains(box) && fluid_at(boxes.middle(box)) == &part;
+        if (is_left_out || drawn.filling(box).volume > 0) missing += share - (taken.contains(box) ? 1 : 0);
+    };
     for (const SpringSolid& solid : solids_) {
         const RegionOnBoxes drawn(*geometry_.region(solid.part->name), boxes);
         for (const SolidCell& cell : solid.cells->cells) {
             const BoxIndex at = box_at(boxes, solid.cells->fillings[cell.particle].centroid);
-            for (const auto& [x, y] : around) {
-                const BoxIndex box = boxes.in_period({at[0] + x, at[1] + y, 0});
-                const double share = liquid.filling(box).volume / boxes.volume();
-                const bool is_beside = std::max(std::abs(x), std::abs(y)) <= 1;
-                if (share > 0 && is_beside && with_places.insert(box).second) corners.push_back(boxes.corner(box));
-                if (!looked_at.insert(box).second) continue;
-                const bool is_left_out = !taken.contains(box) && fluid_at(boxes.middle(box)) == &part;
-                if (is_left_out || drawn.filling(box).volume > 0) missing += share - (taken.contains(box) ? 1 : 0);
-            }
+            for (int k = 0; k < 9; ++k) look_at(boxes.in_period({at[0] + k % 3 - 1, at[1] + k / 3 - 1, 0}), drawn);
         }
+        // A cell of a lattice of its own may reach farther, together with what it has taken up.
+        const auto [first, last] = drawn.boxes();
+        for (int y = first[1]; y < last[1]; ++y)
+            for (int x = first[0]; x < last[0]; ++x)
+                if (const BoxIndex box{x, y, 0}; !looked_at.contains(box) && drawn.filling(box).volume > 0)
+                    look_at(box, drawn);
     }
     const auto added = static_cast<std::size_t>(std::max(0L, std::lround(missing)));
     Room room(set, boxes, places_beside_cells(part, corners));
@@ -170,16 +172,18 @@ std::pair<std::size_t, double> ParticleBuilder::fill_beside_cells(const Part& pa
 
 void ParticleBuilder::claim_cells(SpringSolid& solid, const Region& region) {
     const Part& part = *solid.part;
-    const BoxLattice of_scene = boxes_of(result_.particles, lattice_step());
     const CurveSet* anchor = part.anchor->empty() ? nullptr : geometry_.curve_set(part.anchor);
-    const BoxLattice boxes = own_lattice(result_.particles, of_scene, marks_of(region, anchor, spacing_));
-    SolidCells cells = RegionOnBoxes(region, boxes).cells();
+    const auto [turn, boxes, text] = lattice_in_plane(result_.particles, lattice_step(), region, anchor);
+    const Region along = turn.of(region);
+    SolidCells cells = RegionOnBoxes(along, boxes).cells();
     if (anchor != nullptr) {
-        const Region behind = behind_anchor(region, *anchor, spacing_);
+        const Region behind = behind_anchor(along, turn.of(*anchor), spacing_);
         fill_up(RegionOnBoxes(behind, boxes), boxes, cells);
     }
-    if (std::string note = lattice_text(part.name, of_scene, boxes); !note.empty())
-        result_.report.notes.push_back(std::move(note));
+    for (CellNode& node : cells.nodes) node.position = turn.back(node.position);
+    for (Filling& filling : cells.fillings) filling.centroid = turn.back(filling.centroid);
+    if (!text.empty())
+        result_.report.notes.push_back(part.name.value + ": its cells have a lattice of their own, " + text);
     check_filled(part, cells, region.area());
     hold_on_planes(result_.particles, cells);
     clamp_cells(part, cells);

@@ -48,8 +48,8 @@ void SpaceBuilder::claim_cells(const Part& part, const Solid& solid) {
     const BoxLattice of_scene = boxes_of(result_.particles, step, lattice_->at(0, 0, 0) - 0.5 * step);
     const BoxLattice boxes =
         own_lattice(result_.particles, of_scene, marks_of(solid.surface, anchor_of(part), spacing_));
-    if (std::string note = lattice_text(part.name, of_scene, boxes); !note.empty())
-        result_.report.notes.push_back(std::move(note));
+    if (const std::string text = lattice_text(of_scene, boxes); !text.empty())
+        result_.report.notes.push_back(part.name.value + ": its cells have a lattice of their own, " + text);
     SolidCells cells = SolidOnBoxes(solid.surface, boxes).cells();
     check_filled(part, cells, solid.volume());
     hold_on_planes(result_.particles, cells);

@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 
 #include "mesher/cell_solids.hpp"
+#include "mesher/turned_lattice.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/mesher/meshed_text.hpp"
 
@@ -73,7 +74,7 @@ TEST(OwnLattice, is_the_scenes_without_flat_sides_or_where_that_has_them_on_it) 
         const BoxLattice boxes = own(region);
         EXPECT_EQ(boxes.origin, Vec::Zero());
         EXPECT_EQ(boxes.step, Vec(1, 1, 0));
-        EXPECT_EQ(lattice_text("solid", boxes_of(space(), Vec(1, 1, 0)), boxes), "");
+        EXPECT_EQ(lattice_text(boxes_of(space(), Vec(1, 1, 0)), boxes), "");
     }
 }
 
@@ -145,8 +146,55 @@ TEST(OwnLattice, is_the_scenes_where_nodes_have_to_stand_on_a_side_of_it) {
 TEST(OwnLattice, is_reported) {
     const BoxLattice of_scene = boxes_of(space(), Vec(1, 1, 0)),
                      boxes = own(rectangle(Vec(3.25, 2, 0), Vec(11.45, 5, 0)));
-    EXPECT_THAT(lattice_text("bar", of_scene, boxes),
-                HasSubstr("along x shifted by 0.25 spacings and stretched by 2.5 %"));
+    EXPECT_THAT(lattice_text(of_scene, boxes), HasSubstr("along x shifted by 0.25 spacings and stretched by 2.5 %"));
+}
+
+/// With its low corner here, 8 m x 2 m, turned by this angle.
+Region turned_bar(const Vec& at, double angle) {
+    std::vector<Vec> corners;
+    for (const Vec& corner : {Vec(0, 0, 0), Vec(8, 0, 0), Vec(8, 2, 0), Vec(0, 2, 0)})
+        corners.emplace_back(at + Turn(angle).back(corner));
+    return area(corners);
+}
+CurveSet end_of(const Region& bar) { return line({bar.loops[0].points[3], bar.loops[0].points[0]}); }
+
+TEST(TurnedLattice, is_along_the_straight_sides_of_an_area) {
+    for (const double angle : {0.3, -0.7, pi / 4}) {
+        EXPECT_NEAR(std::abs(direction_of(turned_bar(Vec(5, 3, 0), angle), 1)), std::abs(angle), 1e-9);
+        const Region bar = turned_bar(Vec(5, 6, 0), angle);
+        const CurveSet end = end_of(bar);
+        for (const CurveSet* anchor : {static_cast<const CurveSet*>(nullptr), &end}) {
+            const auto [turn, boxes, text] = lattice_in_plane(space(true), Vec(1, 1, 0), bar, anchor);
+            for (const Vec& corner : bar.loops[0].points) {
+                const Vec along = turn.of(corner);
+                EXPECT_LT((turn.back(along) - corner).norm(), 1e-12);
+                EXPECT_LT(off_nodes(boxes, 0, along[0]) + off_nodes(boxes, 1, along[1]), 1e-9);
+            }
+            EXPECT_THAT(text, HasSubstr("turned by"));
+        }
+    }
+    EXPECT_EQ(direction_of(turned_bar(Vec(5, 3, 0), 0), 1), 0);
+    EXPECT_EQ(direction_of(turned_bar(Vec(5, 3, 0), pi / 2), 1), 0);
+    // A triangle has no two sides of one direction, and what is across the longest is too short.
+    EXPECT_EQ(direction_of(area({{0, 0, 0}, {6, 2, 0}, {1, 5, 0}}), 1), 0);
+}
+
+TEST(TurnedLattice, is_not_turned_where_nodes_stand_on_the_anchor_or_on_a_side_of_the_scene_only_then) {
+    const Region bar = turned_bar(Vec(5, 6, 0), 0.3);
+    // Cut off by a wall along y.
+    std::vector<Vec> corners = bar.loops[0].points;
+    corners[0] += (6 - corners[0][0]) / std::cos(0.3) * Vec(std::cos(0.3), std::sin(0.3), 0);
+    corners[3] += (6 - corners[3][0]) / std::cos(0.3) * Vec(std::cos(0.3), std::sin(0.3), 0);
+    const Region cut = area(corners);
+    const CurveSet wall = end_of(cut);
+    const LatticeInPlane by_wall = lattice_in_plane(space(), Vec(1, 1, 0), cut, &wall);
+    EXPECT_TRUE(by_wall.turn.is_none());
+    EXPECT_LT(off_nodes(by_wall.boxes, 0, 6), 1e-9);
+    EXPECT_FALSE(lattice_in_plane(space(), Vec(1, 1, 0), cut, nullptr).turn.is_none());
+    const Region through = turned_bar(Vec(-1, 4, 0), 0.3);
+    EXPECT_TRUE(lattice_in_plane(space(true), Vec(1, 1, 0), through, nullptr).turn.is_none());
+    EXPECT_TRUE(lattice_in_plane(space(false, true), Vec(1, 1, 0), through, nullptr).turn.is_none());
+    EXPECT_FALSE(lattice_in_plane(space(), Vec(1, 1, 0), through, nullptr).turn.is_none());
 }
 
 /// A block in a periodic box of liquid of three metres a side, with 0.25 m between particles.

@@ -2,8 +2,11 @@
 // Solids of cells from a geometry: what holds them, where they go on, and what ends them.
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -125,6 +128,51 @@ TEST(CellsInScenes, a_clamp_across_the_beam_holds_the_nodes_of_its_surface) {
     }
     EXPECT_EQ(clamped, 5U);
     EXPECT_EQ(meshed.particles.cells.size(), 32U * 4);
+}
+
+/// Displacements at the end by particle, in axes turned by this angle with the beam and its weight.
+std::vector<Vec> moved_in_turned_axes(double angle, const std::string& stepping) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const auto text = [](double x, double y, const std::string& unit) {
+        std::ostringstream out;
+        out.precision(17);
+        out << (unit.empty() ? "" : "\"") << x << unit << (unit.empty() ? ", " : "\", \"") << y << unit
+            << (unit.empty() ? "" : "\"");
+        return out.str();
+    };
+    Texts turned = beam.with("0, \"-1 m/s^2\"", text(s, -c, " m/s^2"))
+                       .with("[numerics]", "[numerics]\nspring_stepping = \"" + stepping + "\"");
+    for (const auto& [corner, x, y] : {std::tuple{"{4, 0,", 4.0, 0.0}, {"{4, 0.5,", 4.0, 0.5}, {"{0, 0.5,", 0.0, 0.5}})
+        turned = turned.with(corner, "{" + text(c * x - s * y, s * x + c * y, "") + ",");
+    const Meshed meshed = mesh_texts(turned);
+    LastFrame sink;
+    RunOptions options;
+    options.sink = &sink;
+    Simulation(meshed.scene, meshed.particles, Resources(1)).run(options);
+    const FrameGroup& solid = *std::ranges::find(sink.last.groups, "solid", &FrameGroup::name);
+    const FrameField& field = *std::ranges::find(solid.fields, "displacement", &FrameField::name);
+    std::vector<Vec> moved(solid.id.size());
+    for (std::size_t k = 0; k < solid.id.size(); ++k) {
+        const Vec by(field.values[3 * k], field.values[3 * k + 1], 0);
+        moved.at(static_cast<std::size_t>(solid.id[k])) = Vec(c * by[0] + s * by[1], c * by[1] - s * by[0], 0);
+    }
+    return moved;
+}
+
+TEST(CellsInScenes, a_beam_at_an_angle_moves_as_one_along_the_axes) {
+    for (const char* stepping : {"implicit", "subcycled"}) {
+        const std::vector<Vec> straight = moved_in_turned_axes(0, stepping);
+        EXPECT_EQ(straight.size(), 32U * 4);
+        double most = 0;
+        for (const Vec& moved : straight) most = std::max(most, moved.norm());
+        EXPECT_GT(most, 1e-2);
+        for (const double angle : {0.35, -0.6}) {
+            const std::vector<Vec> turned = moved_in_turned_axes(angle, stepping);
+            ASSERT_EQ(turned.size(), straight.size());
+            for (std::size_t n = 0; n < turned.size(); ++n)
+                EXPECT_LT((turned[n] - straight[n]).norm(), 1e-5 * most) << n << " at " << angle << ", " << stepping;
+        }
+    }
 }
 
 TEST(CellsInScenes, a_load_that_crushes_a_cell_ends_the_run_with_its_place) {
