@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -66,6 +67,34 @@ std::vector<std::size_t> members_of(const ParticleSet& set, int part) {
     return members;
 }
 
+/// Fills that move particles hold a solid's in its shape by what is around it; where there is nothing, it swells.
+constexpr double farthest_outside = 0.25;  // [spacings]
+
+void need_particles_within(const ParticleSet& set, const std::vector<std::size_t>& members, const Geometry& geometry,
+                           const Part& part) {
+    const Vec far = Vec::Constant(std::numeric_limits<double>::infinity());
+    Box drawn{far, -far};
+    const auto add = [&](const Vec& point) {
+        drawn.low = drawn.low.cwiseMin(point);
+        drawn.high = drawn.high.cwiseMax(point);
+    };
+    if (const Region* region = geometry.region(part.name))
+        for_each_segment(*region, [&](const Vec& a, const Vec& /*b*/) { add(a); });
+    else
+        std::ranges::for_each(geometry.solid(part.name)->surface.corners, add);
+    for (const std::size_t i : members) {
+        const Vec& at = set.position[i];
+        const double outside = std::max((drawn.low - at).maxCoeff(), (at - drawn.high).maxCoeff());
+        if (outside <= farthest_outside * set.spacing) continue;
+        throw InputError(part.bonds_within.location,
+                         "a particle of '" + *part.name + "' at " + position_text(at, set.dimension) + " was moved " +
+                             length_text(outside) +
+                             " out of the drawn part: no liquid and no wall is there that "
+                             "would hold it",
+                         "leave out bonds_within: cells keep the drawn shape; or write particles.fill = \"lattice\"");
+    }
+}
+
 /// All bonds that may be, without stiffness.
 std::vector<Bond> bonds_among(const ParticleSet& set, const std::vector<std::size_t>& members, double reach,
                               const CadSolid& solid) {
@@ -111,6 +140,7 @@ void bond_solids(MeshResult& result, const Geometry& geometry, const Scene& scen
         if (!part->bonds_within.given()) continue;
         any = true;
         const std::vector<std::size_t> members = members_of(set, set.part_named(part->name));
+        need_particles_within(set, members, geometry, *part);
         std::vector<Bond> bonds =
             bonds_among(set, members, part->bonds_within, CadSolid(geometry, *part, part->bonds_within));
         need_bonds_of_all(set, members, bonds, *part);

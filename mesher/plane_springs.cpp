@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/number_text.hpp"
 #include "mesher/particle_builder.hpp"
 #include "mesher/spring_bodies.hpp"
 #include "mesher/spring_lattice.hpp"
@@ -153,14 +154,14 @@ void ParticleBuilder::add_elastic(const Part& part) {
     if (std::abs(line.axial_stiffness / line.axial_stiffness_asked - 1) > 1e-9) {
         std::ostringstream text;
         const bool lowered = line.axial_stiffness < line.axial_stiffness_asked;
+        // In tension the part is so many times as soft, or as stiff.
+        const double ratio = line.axial_stiffness / line.axial_stiffness_asked;
         text << part.name.value << ": EA " << (lowered ? "lowered" : "raised") << " from " << line.axial_stiffness_asked
-             << " to " << line.axial_stiffness << " N, so that two rows " << spacing_ << " m apart can "
+             << " to " << line.axial_stiffness << " N, " << number_text(100 * ratio, 3) << " % of that, so that two rows " << spacing_ << " m apart can "
              << (part.shear_stiffness.given() ? "hold GA"
                  : lowered                    ? "bend as softly as EI asks"
                                               : "resist shear by cross bonds")
              << "; EI is held";
-        // In tension the part is so many times as soft, or as stiff.
-        const double ratio = line.axial_stiffness / line.axial_stiffness_asked;
         const bool matters = std::abs(ratio - 1) > 0.1;
         (matters ? result_.report.warnings : result_.report.notes).push_back(text.str());
     }

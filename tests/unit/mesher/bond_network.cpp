@@ -231,5 +231,27 @@ TEST(BondedSolids, whose_particles_are_too_far_apart_are_refused) {
                       HasSubstr("write 1.2 to 2 spacings")));
 }
 
+TEST(BondedSolids, that_swell_where_nothing_holds_their_particles_are_refused) {
+    for (const int dimension : {2, 3}) {
+        const std::string drawn = dimension == 3 ? "Box(1) = {0, 0, 0, 1, 0.25, 0.25};\nPhysical Volume"
+                                                 : "Rectangle(1) = {0, 0, 0, 1, 0.25};\nPhysical Surface";
+        const auto bar = [&](const std::string& fill) {
+            return Texts{
+                "schema = 1\ntitle = \"bar\"\ndimension = " + std::to_string(dimension) +
+                    "\n[geometry]\nfile = \"channel.geo\"\n[particles]\nspacing = \"0.0625 m\"\nfill = \"" + fill +
+                    "\"\n[[part]]\nname = \"bar\"\nkind = \"elastic\"\ndensity = \"1000 kg/m^3\"\n"
+                    "youngs_modulus = \"1 MPa\"\nbonds_within = \"0.11 m\"\n[flow]\nlargest_speed = \"1 m/s\"\n"
+                    "[run]\nduration = \"1 s\"\n[output]\nevery = \"1 s\"\n",
+                "SetFactory(\"OpenCASCADE\");\n" + drawn + "(\"bar\") = {1};\n"};
+        };
+        EXPECT_EQ(mesh_texts(bar("lattice")).particles.size(), dimension == 3 ? 256U : 64U);
+        for (const char* fill : {"relaxed", "sampled"})
+            EXPECT_THAT(fault_of(bar(fill)),
+                        AllOf(HasSubstr("a particle of 'bar' at"), HasSubstr("out of the drawn part"),
+                              HasSubstr("leave out bonds_within")))
+                << fill << " in " << dimension << "-D";
+    }
+}
+
 }  // namespace
 }  // namespace dmp::tests::bond_network_tests
