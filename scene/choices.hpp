@@ -39,7 +39,7 @@ enum class FluidScheme { corrected, plain };
 enum class DensityModel { continuity, summation };
 enum class ViscosityMean { harmonic, arithmetic };
 /// What an elastic area or volume is made of (docs/elastic.md).
-enum class ElasticModel { springs, cells };
+enum class ElasticModel { cells, springs };
 enum class SpringStepping { implicit, subcycled };
 enum class ViscosityStepping { explicitly, implicitly };
 enum class SpeciesStepping { explicitly, implicitly };
@@ -121,7 +121,7 @@ inline constexpr auto enum_names<scene::DensityModel> = std::to_array<std::strin
 template <>
 inline constexpr auto enum_names<scene::ViscosityMean> = std::to_array<std::string_view>({"harmonic", "arithmetic"});
 template <>
-inline constexpr auto enum_names<scene::ElasticModel> = std::to_array<std::string_view>({"springs", "cells"});
+inline constexpr auto enum_names<scene::ElasticModel> = std::to_array<std::string_view>({"cells", "springs"});
 template <>
 inline constexpr auto enum_names<scene::SpringStepping> = std::to_array<std::string_view>({"implicit", "subcycled"});
 template <>

@@ -19,7 +19,7 @@ constexpr double spacing = 0.125;
 
 std::string block_part(const std::string& name, const std::string& modulus) {
     return "[[part]]\nname = \"" + name +
-           "\"\nkind = \"elastic\"\ndensity = \"1200 kg/m^3\"\npoisson_ratio = 0.25\nyoungs_modulus = \"" + modulus +
+           "\"\nkind = \"elastic\"\nmodel = \"springs\"\ndensity = \"1200 kg/m^3\"\npoisson_ratio = 0.25\nyoungs_modulus = \"" + modulus +
            "\"\n";
 }
 

@@ -19,6 +19,7 @@ using ::testing::Not;
 const Texts block{channel.scene + R"([[part]]
 name = "block"
 kind = "elastic"
+model = "springs"
 density = "1200 kg/m^3"
 youngs_modulus = "1 MPa"
 poisson_ratio = 0.25

@@ -35,6 +35,7 @@ kind = "rigid"
 [[part]]
 name = "body"
 kind = "elastic"
+model = "springs"
 density = "1200 kg/m^3"
 youngs_modulus = "1 MPa"
 poisson_ratio = 0.25

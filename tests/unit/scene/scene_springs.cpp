@@ -51,23 +51,37 @@ TEST(SceneSprings, a_strip_may_have_a_shear_stiffness_and_then_no_say_about_cros
                 HasSubstr("shear_stiffness is for strips in 2-D"));
 }
 
-TEST(SceneCells, are_read) {
-    const std::string area = "density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\npoisson_ratio = 0.49\n";
-    const Scene scene = read_text(scene_with(strip, area + "model = \"cells\"\nelastic_law = \"neo_hookean\""));
-    EXPECT_EQ(*scene.parts[2].model, ElasticModel::cells);
+TEST(SceneCells, are_areas_and_volumes_without_a_model) {
+    const std::string area = "density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\npoisson_ratio = 0.25\n";
+    const auto is_of_cells = [](const std::string& text) {
+        const Scene scene = read_text(text);
+        return scene.is_of_cells(scene.parts[2]);
+    };
+    EXPECT_TRUE(is_of_cells(scene_with(strip, area)));
+    EXPECT_TRUE(is_of_cells(scene_with(strip, area + "model = \"cells\"")));
+    EXPECT_FALSE(is_of_cells(scene_with(strip, area + "model = \"springs\"")));
+    EXPECT_FALSE(is_of_cells(scene_with(strip, area + "bonds_within = \"0.15 mm\"")));
+    EXPECT_FALSE(is_of_cells(scene_with(strip, strip)));
+    EXPECT_TRUE(is_of_cells(in_space(area)));
+    EXPECT_FALSE(is_of_cells(in_space(area + "thickness = \"0.3 mm\"")));
+    const Scene scene = read_text(scene_with(strip, area + "elastic_law = \"neo_hookean\""));
     EXPECT_TRUE(scene.parts[2].elastic_law->is<NeoHookean>());
-    EXPECT_EQ(*read_text(scene_with(strip, strip)).parts[2].model, ElasticModel::springs);
+    EXPECT_EQ(read_text(resolved_scene(scene)).hash, scene.hash);
 }
 
 TEST(SceneCells, that_cannot_be_are_refused) {
-    const std::string area = "density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\n", cells = "model = \"cells\"\n";
+    const std::string area = "density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\n", cells = "model = \"cells\"\n",
+                      springs = "model = \"springs\"\n", neo_hookean = "elastic_law = \"neo_hookean\"\n";
     const auto fault = [&](const std::string& part) { return fault_of(scene_with(strip, part)); };
     EXPECT_THAT(fault(strip + "\n" + cells), AllOf(HasSubstr("is a strip"), HasSubstr("draw the part as an area")));
+    EXPECT_THAT(fault_of(in_space(area + cells + "thickness = \"0.3 mm\"")),
+                AllOf(HasSubstr("is a shell"), HasSubstr("draw the part as a volume")));
     EXPECT_THAT(fault(area + cells + "bonds_within = \"0.15 mm\""), HasSubstr("bonds_within is for solids of springs"));
-    EXPECT_THAT(fault(area + cells + "poisson_ratio = 0.5"), HasSubstr("0.49"));
-    EXPECT_THAT(fault(area + "poisson_ratio = 0.25\nelastic_law = \"neo_hookean\""),
-                AllOf(HasSubstr("elastic_law is for solids of cells"), HasSubstr("model = \"cells\"")));
-    EXPECT_THAT(fault(area + cells + "elastic_law = \"rubber\""), HasSubstr("neo_hookean"));
+    EXPECT_THAT(fault(area + "poisson_ratio = 0.5"), HasSubstr("0.49"));
+    for (const std::string& part : {area + springs, area + "bonds_within = \"0.15 mm\"\n", strip + "\n"})
+        EXPECT_THAT(fault(part + neo_hookean),
+                    AllOf(HasSubstr("elastic_law is for solids of cells"), HasSubstr("leave out")));
+    EXPECT_THAT(fault(area + "elastic_law = \"rubber\""), HasSubstr("neo_hookean"));
 }
 
 TEST(SceneCells, break_by_stress_or_strain_and_springs_by_force_or_strain) {

@@ -128,7 +128,8 @@ TEST(PeriodicSprings, a_strip_bends_under_a_wave_as_a_beam_without_ends) {
 }
 
 /// Of 2 kPa and 32 kg/m^3: sound of 8 m/s.
-const std::string material = R"(youngs_modulus = "2 kPa"
+const std::string material = R"(model = "springs"
+youngs_modulus = "2 kPa"
 poisson_ratio = 0.25
 density = "32 kg/m^3"
 mass_damping = "20 1/s"
