@@ -58,7 +58,7 @@ void refuse_what_strips_have(const Part& part, const std::string& why, const std
     refuse(part.bending_stiffness, "bending_stiffness");
     refuse(part.axial_stiffness, "axial_stiffness");
     refuse(part.shear_stiffness, "shear_stiffness");
-    refuse(part.cross_bonds, "cross_bonds");
+    if (part.cross_bonds) refuse(part.cross_bonds, "cross_bonds");  // resolved scenes have it, as false
 }
 
 /// In 2-D, a part with a density is an area.
