@@ -54,7 +54,9 @@ TriangleSurface with_rims_joined(TriangleSurface sheet, const ParticleSpace& spa
         std::map<std::size_t, std::size_t> low_of;  // by corner of the high rim
         for (const std::size_t high : rim[1]) {
             const auto distance = [&](std::size_t low) {
-                return nearest_image(sheet.corners[high] - sheet.corners[low], space).norm();
+                Vec apart = sheet.corners[high] - sheet.corners[low];
+                apart[axis] -= space.box.extent()[axis];  // along this axis alone: a corner is on two sides
+                return apart.norm();
             };
             const auto low = std::ranges::min_element(rim[0], {}, distance);
             if (low != rim[0].end() && distance(*low) < alike * space.spacing) low_of[high] = *low;

@@ -22,8 +22,8 @@ constexpr double period = 4, wavenumber = 2 * std::numbers::pi / period, per_par
 
 /// A scene with one part and a load of 1 mN cos(k X - 1) on each of its particles along this axis, which settles.
 Texts loaded(const std::string& part, const std::string& geometry, int axis, const std::string& more) {
-    const std::string load = "\"1 mN * cos(1.5707963267948966 1/m * X - 1)\"";
-    const bool in_space = geometry.find("Box(") != std::string::npos || geometry.find("{0, 0, 1}") != std::string::npos;
+    const std::string load = "\"1 mN * cos(1.5707963267948966 * X / (1 m) - 1)\"";
+    const bool in_space = geometry.find("Box(") != std::string::npos;
     std::string force = "[0, " + load + (in_space ? ", 0]" : "]");
     if (axis == 0) force = "[" + load + (in_space ? ", 0, 0]" : ", 0]");
     return {std::string(in_space ? "schema = 1\ndimension = 3\n" : "schema = 1\n") + R"([geometry]
@@ -181,12 +181,18 @@ Line(4) = {4, 1};
 Curve Loop(1) = {1, 2, 3, 4};
 Plane Surface(1) = {1};
 Physical Surface("body") = {1};
+Box(1) = {1, -0.5, 0.25, 1, 0.25, 0.5};
+Physical Volume("block") = {1};
 )";
     const Texts texts = loaded(R"(youngs_modulus = "12 kPa"
 thickness = "0.1 m"
 poisson_ratio = 0.25
 density = "10 kg/m^3"
 mass_damping = "5 1/s"
+[[part]]
+name = "block"  # which makes the geometry one in 3-D
+kind = "rigid"
+enabled = false
 )",
                                sheet, 1, "periodic = [\"x\", \"z\"]\n[run]\nduration = \"5 s\"\n");
     const Meshed meshed = mesh_texts(texts);
