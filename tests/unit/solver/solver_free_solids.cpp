@@ -164,7 +164,7 @@ double twice_kinetic_energy(const BodyParts& body) {
 
 TEST(FreeSolids, that_start_turning_have_the_energy_of_their_moment_of_inertia_and_turn_on) {
     constexpr double spin = 2, length = 1, height = 0.25, a = 0.0625, mass = 1000 * length * height;
-    const std::string start = "initial_velocity = [\"-2 1/s * (y - 0.125 m)\", \"2 1/s * (x - 0.5 m)\"]\n";
+    const std::string start = "initial_velocity = [\"-2 * (y - 0.125 m) / (1 s)\", \"2 * (x - 0.5 m) / (1 s)\"]\n";
     // What is at the corners of cells, or in one place, turns with more or less than the solid.
     const double of_solid = mass * (length * length + height * height) / 12;
     for (const bool springs : {false, true}) {
@@ -193,7 +193,7 @@ TEST(FreeSolids, in_space_start_as_their_formula_says) {
 Box(1) = {0, 0, 0, 1, 0.25, 0.25};
 Physical Volume("bar") = {1};
 )";
-    const std::string start = "initial_velocity = [0, \"0.5 m/s\", \"1 1/s * x\"]\n";
+    const std::string start = "initial_velocity = [0, \"0.5 m/s\", \"x / (1 s)\"]\n";
     for (const bool springs : {false, true}) {
         const Texts texts = springs ? of_springs(free_bar(bar, start)) : free_bar(bar, start);
         const Motion motion = run(texts.with("schema = 1", "schema = 1\ndimension = 3"));
