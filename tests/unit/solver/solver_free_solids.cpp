@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "solver/elastic/body_parts.hpp"
 #include "solver/simulation.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/mesher/meshed_text.hpp"
