@@ -92,8 +92,6 @@ TEST(StraightBars, at_an_angle_lose_little) {
             .report;
     const auto& bar = report.springs.at(0).bar;
     ASSERT_TRUE(bar);
-    std::cout << bar->axial.over_drawn << " " << bar->bending.at(0).over_drawn << "\n";
-    EXPECT_NEAR(bar->length, 1, 1e-3);
     EXPECT_NEAR(bar->axial.over_drawn, 1, 0.01);
     EXPECT_NEAR(bar->bending.at(0).over_drawn, 1, 0.02);
 }
