@@ -92,6 +92,7 @@ TEST(StraightBars, at_an_angle_lose_little) {
             .report;
     const auto& bar = report.springs.at(0).bar;
     ASSERT_TRUE(bar);
+    EXPECT_NEAR(bar->length, 1, 1e-3);
     EXPECT_NEAR(bar->axial.over_drawn, 1, 0.01);
     EXPECT_NEAR(bar->bending.at(0).over_drawn, 1, 0.02);
 }
