@@ -134,12 +134,16 @@ Listing chosen_values(const Scene& scene, const Plan& plan, const Origin& origin
                                       count_text(static_cast<std::size_t>(plan.steps))));
     for (const auto& [what, constants] : origin.springs) list.add(what, constants);
     for (const Part* part : scene.parts_of(PartKind::elastic)) {
-        list.add(
-            "damping " + *part->name,
-            fmt::format("{} {:.3g} of critical ({}), drag {:.3g} kg/s ({}), mass damping {:.3g} 1/s ({})",
-                        scene.is_of_cells(*part) ? "cells" : "bonds", *part->bond_damping,
-                        origin_text(part->bond_damping, "bond_damping"), *part->drag, origin_text(part->drag, "drag"),
-                        *part->mass_damping, origin_text(part->mass_damping, "mass_damping")));
+        const std::string own =
+            part->damping_ratio.given()
+                ? fmt::format("cells {:.3g} of critical at {}", *part->damping_ratio,
+                              quantity_text(*part->damping_frequency, "Hz"))
+                : fmt::format("{} {:.3g} of critical ({})", scene.is_of_cells(*part) ? "cells" : "bonds",
+                              *part->bond_damping, origin_text(part->bond_damping, "bond_damping"));
+        list.add("damping " + *part->name,
+                 fmt::format("{}, drag {:.3g} kg/s ({}), mass damping {:.3g} 1/s ({})", own, *part->drag,
+                             origin_text(part->drag, "drag"), *part->mass_damping,
+                             origin_text(part->mass_damping, "mass_damping")));
     }
     if (plan.spring_substeps > 0) {
         list.add("spring steps",

@@ -36,8 +36,18 @@ bool matters(const std::string& table, const std::string& key) {
     if (table == "flow") return key == "periodic" || key == "symmetry";
     if (table == "contact") return key == "range";
     if (table == "numerics") return key == "support";
-    constexpr std::array others{"viscosity", "bond_damping", "drag", "mass_damping", "surface_velocity",
-                                "slip",      "velocity",     "spin", "centre"};
+    constexpr std::array others{"viscosity",
+                                "bond_damping",
+                                "damping_ratio",
+                                "damping_frequency",
+                                "initial_velocity",
+                                "drag",
+                                "mass_damping",
+                                "surface_velocity",
+                                "slip",
+                                "velocity",
+                                "spin",
+                                "centre"};
     return table == "part" && std::ranges::find(others, key) == others.end();
 }
 

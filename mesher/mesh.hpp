@@ -63,7 +63,18 @@ struct MeshReport {
             double poisson_ratio = 0;
             std::string law;
         };
+        /// Of a solid of cells that was drawn as a straight bar (mesher/straight_bar.hpp).
+        struct Bar {
+            /// A stiffness of its cells, E A [N] or E I [N m^2], and its ratio to that of what was drawn.
+            struct Stiffness {
+                double value = 0, over_drawn = 1;
+            };
+            double length = 0;               ///< [m]
+            Stiffness axial;                 ///< in 2-D for a depth of 1 m
+            std::vector<Stiffness> bending;  ///< in 2-D one, in 3-D the lower one and the higher one
+        };
         std::optional<Elements> elements;
+        std::optional<Bar> bar;
         std::optional<Cells> cells;
         std::optional<Shell> shell;
         std::optional<NetworkConstants> network;  ///< of a solid with bonds_within

@@ -8,6 +8,7 @@
 #include "mesher/particle_builder.hpp"
 #include "mesher/spring_bodies.hpp"
 #include "mesher/spring_lattice.hpp"
+#include "mesher/straight_bar.hpp"
 
 namespace dmp::mesher {
 
@@ -136,6 +137,7 @@ void ParticleBuilder::add_elastic(const Part& part) {
     const std::size_t first = result_.particles.size();
     if (solid != solids_.end()) {
         add_solid(*solid, number, line);
+        if (solid->cells) line.bar = bar_of(part, *geometry_.region(part.name), *solid->cells);
         if (!solid->cells) note_open_ends(result_.particles, first, part.name, result_.report);
         result_.report.springs.push_back(line);
         return;

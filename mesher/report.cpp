@@ -99,6 +99,15 @@ std::string inspection_text(const MeshReport& report) {
                               report.leaks->particles, position_text(report.leaks->where, report.dimension));
 }
 
+/// What cells in the form of a straight bar stand for.
+std::string bar_text(const MeshReport::SpringLine::Bar& bar) {
+    std::string text = fmt::format("  as a straight bar {} long: EA = {:.4g} N ({:.4f} of the drawn one)",
+                                   length_text(bar.length), bar.axial.value, bar.axial.over_drawn);
+    for (const auto& [value, over_drawn] : bar.bending)
+        text += fmt::format(", EI = {:.4g} N m^2 ({:.4f})", value, over_drawn);
+    return text + "\n";
+}
+
 /// What the springs of a part are, and what they give as a solid.
 std::string springs_text(const MeshReport::SpringLine& line) {
     const std::string head = fmt::format("springs of {}: {} {}, {} bonds", line.part, line.bodies,
@@ -118,11 +127,12 @@ std::string springs_text(const MeshReport::SpringLine& line) {
     }
     if (line.elements) {
         const MeshReport::SpringLine::Elements& of = *line.elements;
-        return fmt::format(
+        const std::string text = fmt::format(
             "cells of {}: {} {}, {} cells ({} cut by the surface) on {} nodes{}  give E = {:.4g} Pa, nu = {:.3g} ({}); "
             "{:.6g} of the drawn volume; {:.4g} kg a whole cell\n",
             line.part, line.bodies, line.bodies == 1 ? "body" : "bodies", of.count, of.cut, of.nodes, clamped,
             of.youngs_modulus, of.poisson_ratio, of.law, of.volume / of.drawn, line.particle_mass);
+        return line.bar ? text + bar_text(*line.bar) : text;
     }
     if (line.network)
         return head +

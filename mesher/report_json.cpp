@@ -91,6 +91,15 @@ Json json_of(const MeshReport::SpringLine& line) {
                      {"youngs_modulus_Pa", of.youngs_modulus},
                      {"poisson_ratio", of.poisson_ratio},
                      {"law", of.law}});
+        if (line.bar) {
+            Json bending;
+            for (const auto& [value, over_drawn] : line.bar->bending)
+                bending.push_back({{"stiffness_N_m2", value}, {"over_drawn", over_drawn}});
+            json["bar"] = {{"length_m", line.bar->length},
+                           {"axial_stiffness_N", line.bar->axial.value},
+                           {"axial_over_drawn", line.bar->axial.over_drawn},
+                           {"bending", bending}};
+        }
     } else if (line.network) {
         json.update({{"form", "network"},
                      {"softest_bond_N_per_m", line.network->softest},

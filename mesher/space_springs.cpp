@@ -10,6 +10,7 @@
 #include "mesher/relax.hpp"
 #include "mesher/space_builder.hpp"
 #include "mesher/spring_bodies.hpp"
+#include "mesher/straight_bar.hpp"
 #include "mesher/uses.hpp"
 
 namespace dmp::mesher {
@@ -169,6 +170,7 @@ void SpaceBuilder::add_elastic(const Part& part) {
     const auto solid = std::ranges::find(spring_solids_, &part, &SpringSolid::part);
     if (solid != spring_solids_.end() && solid->cells) {
         add_cells(*solid, number, line);
+        line.bar = bar_of(part, geometry_.solid(part.name)->surface, *solid->cells);
         result_.report.springs.push_back(line);
         return;
     }

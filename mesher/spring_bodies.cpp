@@ -54,7 +54,9 @@ TriangleSurface with_rims_joined(TriangleSurface sheet, const ParticleSpace& spa
         std::map<std::size_t, std::size_t> low_of;  // by corner of the high rim
         for (const std::size_t high : rim[1]) {
             const auto distance = [&](std::size_t low) {
-                return nearest_image(sheet.corners[high] - sheet.corners[low], space).norm();
+                Vec apart = sheet.corners[high] - sheet.corners[low];
+                apart[axis] -= space.box.extent()[axis];  // along this axis alone: a corner is on two sides
+                return apart.norm();
             };
             const auto low = std::ranges::min_element(rim[0], {}, distance);
             if (low != rim[0].end() && distance(*low) < alike * space.spacing) low_of[high] = *low;
@@ -94,13 +96,14 @@ std::vector<double> turns_over_angles(const TriangleSurface& sheet, const Partic
     return angle;
 }
 
-/// By particle: whether it has a bond through the periodic side across an axis.
-std::vector<bool> with_bonds_across(const ParticleSet& set, int axis) {
+/// By particle: whether it has a bond, to one from `first` on, through the periodic side across an axis.
+std::vector<bool> with_bonds_across(const ParticleSet& set, int axis, std::size_t first) {
     std::vector<bool> across(set.size(), false);
     if (!set.periodic.at(static_cast<std::size_t>(axis))) return across;
     for (const Bond& bond : set.bonds) {
         const auto a = static_cast<std::size_t>(bond.a), b = static_cast<std::size_t>(bond.b);
-        if (std::abs(set.position[a][axis] - set.position[b][axis]) > 0.5 * set.box.extent()[axis])
+        if (std::min(a, b) >= first &&
+            std::abs(set.position[a][axis] - set.position[b][axis]) > 0.5 * set.box.extent()[axis])
             across[a] = across[b] = true;
     }
     return across;
@@ -221,7 +224,7 @@ void note_open_ends(const ParticleSet& set, std::size_t first, const std::string
         if (set.fixed[i] == 0) free.push_back(i);
     for (int axis = 0; axis < set.dimension; ++axis) {
         const auto at = static_cast<std::size_t>(axis);
-        const std::vector<bool> goes_on = with_bonds_across(set, axis);
+        const std::vector<bool> goes_on = with_bonds_across(set, axis, first);
         std::array<std::vector<std::size_t>, 2> near;  // the low side and the high one
         for (const std::size_t i : free) {
             if (goes_on[i]) continue;
@@ -244,7 +247,7 @@ void note_open_ends(const ParticleSet& set, std::size_t first, const std::string
                 "both sides alike, a period apart, in a solid write model = \"cells\" instead of bonds_within, or draw "
                 "it "
                 "a spacing short of the side");
-        } else {
+        } else if (std::ranges::find(goes_on, true) == goes_on.end()) {
             report.notes.push_back(part + ": its springs end at " + across +
                                    ", where it is free as if it were cut there");
         }

@@ -52,6 +52,8 @@ struct Part {
     Value<std::string> anchor;                 ///< name in the geometry of what the part is clamped to; empty: free
     /// Dashpot of each bond and hinge, or viscosity of cells, fraction of critical damping [-].
     Value<double> bond_damping = 0.01;
+    /// Of cells, instead of bond_damping: fraction of critical damping [-] of a mode of this frequency [Hz].
+    Value<double> damping_ratio, damping_frequency;
     Value<double> drag = 0.0;          ///< lab-frame drag per particle, F = -drag v [kg/s] (as in the thesis)
     Value<double> mass_damping = 0.0;  ///< lab-frame drag per mass, F = -mass_damping m v [1/s]
 
@@ -67,7 +69,8 @@ struct Part {
     Value<int> count = 0;               ///< spheres around the sphere or in the box; 0: from the next two
     Value<double> coverage = 0.0;       ///< around: covered fraction of the sphere's surface, N r^2 / (4 (R + r)^2) [-]
     Value<double> volume_fraction = 0.0;  ///< of the box [-]
-    /// As functions of x, y, z [m/s]; with `around`, default: motion of the sphere on which they sit, with its spin.
+    /// Also of elastic solids. As functions of x, y, z [m/s]; with `around`, default: motion of the sphere on which
+    /// they sit, with its spin.
     Value<std::array<Expression, 3>> initial_velocity;
     Value<std::array<Expression, 3>> initial_spin;  ///< initial angular velocity, as functions of x, y, z [rad/s]
 

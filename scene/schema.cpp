@@ -180,12 +180,20 @@ std::vector<Key<Part>> part_keys() {
         {"bond_damping", springs, &Part::bond_damping, number(between(0, 1)), "0.01",
          "Dashpot of each bond and hinge, as a fraction of critical damping; of cells the same fraction at the highest "
          "frequency of the lattice."},
+        {"damping_ratio", springs, &Part::damping_ratio, number(between(0, 1)), not_given,
+         "Of a solid of cells, instead of bond_damping: damping of a mode with the frequency damping_frequency, as a "
+         "fraction of critical. It grows with the frequency: viscous over elastic moduli are damping_ratio / (pi "
+         "damping_frequency) (docs/elastic.md)."},
+        {"damping_frequency", springs, &Part::damping_frequency, quantity("1.1 Hz", positive), not_given,
+         "Frequency at which damping_ratio holds."},
         {"drag", springs, &Part::drag, quantity("1e-6 kg/s", not_negative), "0",
          "Linear drag in the lab frame; the force on each particle is -drag * velocity, so that the drag of the whole "
          "part depends on the spacing."},
         {"mass_damping", springs, &Part::mass_damping, quantity("10 1/s", not_negative), "0",
          "Damping proportional to mass, in the lab frame: the force on each particle is -mass_damping * mass * velocity, "
          "whatever the spacing."},
+        {"initial_velocity", springs, &Part::initial_velocity, formulas("1 m/s"), not_given,
+         "Initial velocity of the solid, as formulas of x, y, z; what is clamped stays at rest."},
     };
 }
 
@@ -334,7 +342,8 @@ std::vector<Key<Output>> output_keys() {
         {"picture_field", &Output::picture_field, one_of<FluidField>(), "velocity", "Field shown in the pictures."},
         {"solid_fields", &Output::solid_fields, list_of<SolidField>(),
          "['velocity', 'displacement', 'stress', 'von_mises', 'strain', 'force']",
-         "Fields of elastic solids in the frames; strain and force are per bond (docs/results.md)."},
+         "Fields of elastic solids in the frames; strain and force are per bond, surface_stress is the largest von Mises stress "
+         "at the surface of a cell (docs/results.md)."},
         {"average_from", &Output::average_from, quantity("1 s", not_negative), "0 s",
          "Time at which time averages (mean_displacement) begin."},
     };

@@ -142,6 +142,42 @@ void check_cells(const Scene& scene, const Part& part) {
                 use_springs("the [[solidify]]"));
 }
 
+/// Both or neither, and of cells.
+void check_damping(const Scene& scene, const Part& part) {
+    const std::string part_name = "part '" + *part.name + "'";
+    const Value<double>&ratio = part.damping_ratio, &frequency = part.damping_frequency;
+    if (!ratio.given() && !frequency.given()) return;
+    const Value<double>& first = ratio.given() ? ratio : frequency;
+    if (!scene.is_of_cells(part))
+        throw InputError(first.location,
+                         part_name +
+                             ": damping_ratio and damping_frequency are for solids of cells, and this is one of "
+                             "springs",
+                         "write bond_damping");
+    if (!ratio.given() || !frequency.given())
+        throw InputError(first.location,
+                         part_name + " has " +
+                             (ratio.given() ? "damping_ratio and no damping_frequency, at which it holds"
+                                            : "damping_frequency and no damping_ratio"),
+                         ratio.given() ? "add damping_frequency, such as damping_frequency = \"1.1 Hz\""
+                                       : "add damping_ratio, such as damping_ratio = 0.02");
+    if (part.bond_damping.given())
+        throw InputError(part.bond_damping.location, part_name + ": bond_damping and damping_ratio are both given",
+                         "leave one of them out");
+}
+
+/// Of x, y and z, and in 2-D without a third component.
+void check_start(const Scene& scene, const Part& part) {
+    const auto& velocity = part.initial_velocity;
+    const std::string what = "initial_velocity of '" + *part.name + "'";
+    for (const Expression& formula : *velocity)
+        if (formula.depends_on_time())
+            throw InputError(velocity.location, what + " depends on t: \"" + formula.text() + "\"",
+                             "write formulas of x, y and z: initial values do not depend on time");
+    if (scene.dimension == 2 && !(*velocity)[2].is_zero())
+        throw InputError(velocity.location, what + " has a third component in a 2-D scene", "leave it out, or write 0");
+}
+
 }  // namespace
 
 void check_elastic(const Scene& scene) {
@@ -151,6 +187,8 @@ void check_elastic(const Scene& scene) {
             check_elastic_material(scene, part);
             check_model(scene, part);
             check_cells(scene, part);
+            check_damping(scene, part);
+            check_start(scene, part);
         }
 }
 

@@ -50,9 +50,9 @@ constexpr std::array<std::string_view, 21> free_keys{"flow.acceleration",
 constexpr std::array<std::string_view, 5> free_tables{"run", "output", "measure", "force", "moving_shape"};
 constexpr std::array<std::string_view, 4> tables_of_particles{"geometry", "select", "particles", "box"};
 constexpr std::array<std::string_view, 3> free_part_keys{"viscosity", "surface_velocity", "slip"};
-constexpr std::array<std::string_view, 8> spring_keys{
-    "bending_stiffness", "axial_stiffness", "shear_stiffness", "youngs_modulus", "elastic_law", "bond_damping", "drag",
-    "mass_damping"};
+constexpr std::array<std::string_view, 10> spring_keys{
+    "bending_stiffness", "axial_stiffness", "shear_stiffness",   "youngs_modulus", "elastic_law",
+    "bond_damping",      "damping_ratio",   "damping_frequency", "drag",           "mass_damping"};
 constexpr std::array<std::string_view, 2> motion_keys{"velocity", "spin"};
 
 /// A number or a formula, as it stands in a scene without its quotes.

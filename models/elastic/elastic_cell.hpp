@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <array>
+#include <cmath>
 
 #include "models/elastic/strain.hpp"
 
@@ -106,11 +107,38 @@ struct ElasticCell {
     /// Cauchy's stress at the centroid, F S F^T / J, without damping [Pa]; in 2-D with that across the plane.
     template <class Law>
     [[nodiscard]] Matrix<3> stress(const Law& law, const Corners& x) const {
-        const Matrix<D> f = gradient(x), c = f.transpose() * f;
-        Matrix<3> stress = Matrix<3>::Zero();
-        stress.template topLeftCorner<D, D>() = f * law.template stress<D>(c) * f.transpose();
-        if constexpr (D == 2) stress(2, 2) = law.stress_across(c);
-        return stress / f.determinant();
+        return stress(law, gradient(x), Matrix<D>::Zero());
+    }
+
+    /// The same at the corners of the solid in the box, the places +-(3 S_i)^(1/2) from the centroid along its axes:
+    /// half the width of a slab with this second moment. With the stress that varies linearly in the cell (bending,
+    /// twist):
+    ///   2-D:  s_xx += E' y_x Y,   s_yy += E' y_y X
+    ///   3-D:  s_ii += E' (A_i + nu A_j) X_g,   s_ij += G (B_i + B_j) X_g   for each g
+    template <class Law>
+    [[nodiscard]] std::array<Matrix<3>, corners> surface_stresses(const Law& law, const Corners& x) const {
+        const Matrix<D> f = gradient(x);
+        const Modes y = f.transpose() * (x * twist);
+        const double e = youngs_modulus, nu = poisson_ratio, held = e / (1 - nu * nu), shear = e / (2 * (1 + nu));
+        std::array<Matrix<3>, corners> stresses;
+        for (int k = 0; k < corners; ++k) {
+            Matrix<D> more = Matrix<D>::Zero();
+            const auto off = [&](int axis) { return (k >> axis & 1 ? 1 : -1) * std::sqrt(3 * moment[axis]); };
+            if constexpr (D == 2) {
+                more(0, 0) = held * y(0, 0) * off(1);
+                more(1, 1) = held * y(1, 0) * off(0);
+            } else {
+                for (int g = 0; g < 3; ++g) {
+                    const int i = (g + 1) % 3, j = (g + 2) % 3;
+                    more(i, i) += held * (y(i, j) + nu * y(j, i)) * off(g);
+                    more(j, j) += held * (y(j, i) + nu * y(i, j)) * off(g);
+                    more(i, j) += shear * (y(i, i) + y(j, j)) * off(g);
+                    more(j, i) = more(i, j);
+                }
+            }
+            stresses[static_cast<std::size_t>(k)] = stress(law, f, more);
+        }
+        return stresses;
     }
 
     /// Least and largest principal value of Green's strain at the centroid [-].
@@ -158,6 +186,17 @@ struct ElasticCell {
     }
 
   private:
+    /// Cauchy's stress of the second Piola-Kirchhoff stress of the law and `more`, which in 2-D is of fibres that are
+    /// held across the plane.
+    template <class Law>
+    [[nodiscard]] Matrix<3> stress(const Law& law, const Matrix<D>& f, const Matrix<D>& more) const {
+        const Matrix<D> c = f.transpose() * f;
+        Matrix<3> stress = Matrix<3>::Zero();
+        stress.template topLeftCorner<D, D>() = f * (law.template stress<D>(c) + more) * f.transpose();
+        if constexpr (D == 2) stress(2, 2) = law.stress_across(c) + poisson_ratio * more.trace();
+        return stress / f.determinant();
+    }
+
     /// T of y. In 3-D mode m is the one without axis m, and mode 3 has all.
     [[nodiscard]] Modes bending_moments(const Modes& y) const {
         const double e = youngs_modulus, nu = poisson_ratio, held = e / (1 - nu * nu);

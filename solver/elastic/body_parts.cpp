@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -30,11 +32,33 @@ std::vector<std::string> body_names(const Scene& scene) {
 namespace {
 
 InitialSprings::Source source_of(const Part& part, int origin) {
-    return {origin,           part.bond_damping,   part.drag,         part.mass_damping,
-            part.elastic_law, part.youngs_modulus, part.poisson_ratio};
+    // A mode of angular frequency omega has the ratio relaxation omega / 2.
+    const double relaxation =
+        part.damping_ratio.given() ? part.damping_ratio / (std::numbers::pi * part.damping_frequency) : 0;
+    return {origin,
+            part.damping_ratio.given() ? 0 : *part.bond_damping,
+            part.drag,
+            part.mass_damping,
+            part.elastic_law,
+            part.youngs_modulus,
+            part.poisson_ratio,
+            relaxation,
+            part.initial_velocity};
 }
 
 }  // namespace
+
+Vec InitialSprings::Source::velocity_at(const Vec& position, int dimension) const {
+    Vec velocity = Vec::Zero();
+    for (int axis = 0; axis < dimension; ++axis)
+        velocity[axis] = (*initial_velocity)[static_cast<std::size_t>(axis)](0, position[0], position[1], position[2]);
+    if (!velocity.allFinite()) {
+        std::ostringstream problem;
+        problem << "initial_velocity is (" << velocity.transpose() << ") m/s at (" << position.transpose() << ") m";
+        throw InputError(initial_velocity.location, problem.str(), "correct the formula");
+    }
+    return velocity;
+}
 
 InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene, double liquid_density)
     : of_part(set.parts.size()) {
@@ -108,6 +132,7 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
         node.mass = mass[id];
         node.drag = source.drag_of(set.mass[id]);
         node.position = node.position_before = node.rest_position = set.position[id];
+        if (!node.fixed && !node.of_wall) node.velocity = source.velocity_at(node.position, set.dimension);
         parts.nodes.push_back(node);
         positions.push_back(set.position[id]);
     }

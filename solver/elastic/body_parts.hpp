@@ -92,6 +92,10 @@ struct InitialSprings {
         double mass_damping = 0;  ///< and of a node's mass [1/s]
         ElasticLaw law{};         ///< of cells
         double youngs_modulus = 0, poisson_ratio = 0;
+        double relaxation = 0;  ///< of cells, where it is given in place of `damping` [s]
+        Value<std::array<Expression, 3>> initial_velocity{};
+        /// Of a node that starts here [m/s]. Throws InputError where a formula gives no number.
+        [[nodiscard]] Vec velocity_at(const Vec& position, int dimension) const;
         [[nodiscard]] double drag_of(double mass) const { return drag + mass_damping * mass; }
     };
     std::vector<Source> of_part;    ///< by part number of the particle set

@@ -113,6 +113,23 @@ Vec CellBody<D>::rest_position(std::size_t node) const {
 }
 
 template <int D>
+Vec CellBody<D>::velocity(std::size_t node) const {
+    const typename LocalCell<D>::Element::Point velocity =
+        cell(node).of(network_.velocities()) * cell(node).element.share;
+    Vec in = Vec::Zero();
+    in.head<D>() = velocity;
+    return in;
+}
+
+template <int D>
+std::vector<std::array<double, 6>> CellBody<D>::surface_stresses(std::size_t node) const {
+    std::vector<std::array<double, 6>> stresses;
+    for (const Matrix<3>& s : cell(node).surface_stresses(cell(node).at(network_.positions())))
+        stresses.push_back({s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)});
+    return stresses;
+}
+
+template <int D>
 double CellBody<D>::self_contact_rate() const {
     if (!self_contact_) return 0;
     std::vector<double> inverse_mass;

@@ -49,6 +49,8 @@ class CellBody final : public SpringBody {
     [[nodiscard]] double self_contact_rate() const override;
     /// -V F S F^T of each cell: minus Kirchhoff's stress times its volume at rest.
     [[nodiscard]] std::vector<std::array<double, 6>> virial() const override;
+    [[nodiscard]] Vec velocity(std::size_t node) const override;
+    [[nodiscard]] std::vector<std::array<double, 6>> surface_stresses(std::size_t node) const override;
     [[nodiscard]] double volume_ratio(std::size_t node) const override;
     [[nodiscard]] std::optional<std::array<double, 2>> strains(std::size_t node) const override;
     [[nodiscard]] std::optional<std::array<int, 2>> overloaded_face(const SolidBreak& law, int origin) const override;

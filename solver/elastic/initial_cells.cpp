@@ -54,8 +54,10 @@ BodyParts initial_cells(const ParticleSet& set, const InitialSprings& drawn, int
         cell.law = source.law;
         cell.youngs_modulus = source.youngs_modulus;
         cell.poisson_ratio = source.poisson_ratio;
-        cell.relaxation =
-            relaxation_of(source.damping, from.size.head(set.dimension).minCoeff(), cell.mass / cell.volume, source);
+        cell.relaxation = source.relaxation > 0
+                              ? source.relaxation
+                              : relaxation_of(source.damping, from.size.head(set.dimension).minCoeff(),
+                                              cell.mass / cell.volume, source);
         cell.drag = source.drag_of(cell.mass);
         cell.origin = source.origin;
         for (int k = 0; k < corners; ++k) {
@@ -68,6 +70,9 @@ BodyParts initial_cells(const ParticleSet& set, const InitialSprings& drawn, int
                 node.on_plane = set.cell_nodes[number].on_plane;
                 node.origin = source.origin;
                 node.position = node.position_before = node.rest_position = set.cell_nodes[number].position;
+                if (!node.fixed) node.velocity = source.velocity_at(node.position, set.dimension);
+                for (int axis = 0; axis < 3; ++axis)
+                    if (node.on_plane[static_cast<std::size_t>(axis)]) node.velocity[axis] = 0;
                 parts.nodes.push_back(node);
             }
             cell.node[static_cast<std::size_t>(k)] = known->second;

@@ -68,6 +68,9 @@ struct LocalCell {
     [[nodiscard]] Matrix<3> stress(const Corners& x) const {
         return with_law([&](const auto& of_solid) { return element.stress(of_solid, x); });
     }
+    [[nodiscard]] std::array<Matrix<3>, Element::corners> surface_stresses(const Corners& x) const {
+        return with_law([&](const auto& of_solid) { return element.surface_stresses(of_solid, x); });
+    }
     [[nodiscard]] typename Element::Square stiffness(const Corners& x, double elastic, double viscous) const {
         return with_law([&](const auto& of_solid) { return element.stiffness(of_solid, x, elastic, viscous); });
     }

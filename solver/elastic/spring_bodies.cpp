@@ -201,6 +201,10 @@ void SpringBodies::show(ParticleStore& particles, Field field, const ValueOf& va
     }
 }
 
+void SpringBodies::show_velocities(ParticleStore& particles) const {
+    show(particles, Field::velocity, [](const SpringBody& body, std::size_t node) { return body.velocity(node); });
+}
+
 SpringImpulses SpringBodies::advance(ParticleStore& particles, double dt, int threads) {
     const int steps = implicit_ ? 0 : substeps(dt);
     const std::vector<Vec> force = collected(particles, Field::force);

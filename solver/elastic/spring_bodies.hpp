@@ -44,6 +44,8 @@ class SpringBodies {
     void find_nodes(const ParticleStore& particles);
     /// Sets the body numbers of the store's particles.
     void number_particles(ParticleStore& particles) const;
+    /// Writes the bodies' present velocities to the store, as they start.
+    void show_velocities(ParticleStore& particles) const;
     /// Applies the forces in the store to all bodies, then advances them by dt; writes their mean velocities to the
     /// store.
     SpringImpulses advance(ParticleStore& particles, double dt, int threads);

@@ -104,6 +104,13 @@ class SpringBody {
     /// Plimpton & Mattson 2009). Elastic forces only, no dashpots; no kinetic part.
     [[nodiscard]] virtual std::vector<std::array<double, 6>> virial() const = 0;
 
+    /// Of the particle, at present [m/s].
+    [[nodiscard]] virtual Vec velocity(std::size_t node) const = 0;
+
+    /// Cauchy's stress at the corners of the particle's solid: xx, yy, zz, xy, yz, xz [Pa]; none where it consists of
+    /// springs.
+    [[nodiscard]] virtual std::vector<std::array<double, 6>> surface_stresses(std::size_t /*node*/) const { return {}; }
+
     /// Of the particle, over its volume at rest; 1 where it consists of springs.
     [[nodiscard]] virtual double volume_ratio(std::size_t /*node*/) const { return 1; }
 

@@ -103,6 +103,8 @@ class SpringNetwork final : public SpringBody {
     [[nodiscard]] Vec position_before(std::size_t node) const override { return in_space(position_before_[node]); }
     [[nodiscard]] Vec rest_position(std::size_t node) const override { return in_space(position_at_rest_[node]); }
 
+    [[nodiscard]] Vec velocity(std::size_t node) const override { return in_space(velocity_[node]); }
+
     [[nodiscard]] Point momentum() const;  ///< of the free nodes [kg m/s]
     [[nodiscard]] Vec total_momentum() const override { return in_space(momentum()); }
     [[nodiscard]] double free_mass() const override;

@@ -5,6 +5,12 @@
 
 namespace dmp::solver {
 
+bool elastic_solids_start_moving(const Scene& scene) {
+    return std::ranges::any_of(scene.parts_of(PartKind::elastic), [](const Part* part) {
+        return !std::ranges::all_of(*part->initial_velocity, &Expression::is_zero);
+    });
+}
+
 bool is_driven(const Scene& scene) {
     const auto any = [](const std::array<Expression, 3>& formulas) {
         return !std::ranges::all_of(formulas, &Expression::is_zero);
@@ -13,7 +19,8 @@ bool is_driven(const Scene& scene) {
     const auto any_moves = [&](PartKind kind) { return std::ranges::any_of(scene.parts_of(kind), moves); };
     return any(scene.flow.acceleration) || any(*scene.flow.pressure_gradient) || any(*scene.flow.initial_velocity) ||
            !scene.flow.initial_pressure->is_zero() || !scene.forces.empty() || !scene.moving_shapes.empty() ||
-           any_moves(PartKind::rigid) || any_moves(PartKind::plane) || any_moves(PartKind::surface);
+           elastic_solids_start_moving(scene) || any_moves(PartKind::rigid) || any_moves(PartKind::plane) ||
+           any_moves(PartKind::surface);
 }
 
 bool is_at_rest(const Scene& scene) {

@@ -6,6 +6,9 @@
 
 namespace dmp::solver {
 
+/// Whether an elastic solid has an initial_velocity.
+bool elastic_solids_start_moving(const Scene& scene);
+
 /// Whether anything moves fluid or solids, or may: a formula that is not 0, a force, a moving shape or wall, a pressure
 /// at the start.
 bool is_driven(const Scene& scene);

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/output/solid_fields.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
@@ -43,6 +44,14 @@ class SolidFields {
             case SolidField::von_mises:
                 return add_nodes("von_mises", "Pa", 1, [&](std::size_t body, std::size_t node) {
                     return std::array{von_mises(stress(body, node))};
+                });
+            case SolidField::surface_stress:
+                return add_nodes("surface_stress", "Pa", 1, [&](std::size_t body, std::size_t node) {
+                    const auto corners = springs_.bodies()[body]->surface_stresses(node);
+                    if (corners.empty()) return std::array{von_mises(stress(body, node))};
+                    double largest = 0;
+                    for (const auto& corner : corners) largest = std::max(largest, von_mises(corner));
+                    return std::array{largest};
                 });
             case SolidField::strain:
                 return add_bond_field("strain", "1",

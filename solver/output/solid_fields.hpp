@@ -15,6 +15,7 @@ namespace dmp::solver {
 ///   SPH
 ///              sums and J its volume over that at rest, 1 for springs: Cauchy's stress of cells; tension is positive
 ///   von_mises  of that stress, nothing acting across the plane [Pa]
+///   surface_stress  the largest von_mises at the corners of a cell's solid; of springs von_mises [Pa]
 ///   strain, force   of each bond: (r - r0) / r0 [-], 2 k_b (r - r0) [N]
 /// `volume` is that of the group's particles [m^3].
 void add_solid_fields(FrameGroup& group, const std::vector<SolidField>& wanted, const std::vector<float>& volume,

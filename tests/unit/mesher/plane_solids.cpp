@@ -202,17 +202,32 @@ TEST(PlaneSolids, that_cannot_be_are_refused_with_what_to_do) {
         HasSubstr("no node of 'block' is next to 'feet'"));
 }
 
-TEST(PlaneSolids, end_at_periodic_sides_and_it_is_said) {
+TEST(PlaneSolids, go_on_through_periodic_sides_and_where_they_do_not_it_is_said) {
     const Texts at_a_side = block.with("{1.75, 0, 0}", "{0, 0, 0}").with("{1.75, 1, 0}", "{0, 1, 0}");
     const auto meshed = mesh_texts(at_a_side);
     EXPECT_THAT(meshed.report.notes, Contains(HasSubstr("block: its springs end at the side of the box across x")));
     EXPECT_THAT(meshed.report.warnings, Not(Contains(HasSubstr("its springs end"))));
-    const auto cut = mesh_texts(at_a_side.with("{2.25, 0, 0}", "{4, 0, 0}").with("{2.25, 1, 0}", "{4, 1, 0}"));
+    const Texts through = at_a_side.with("{2.25, 0, 0}", "{4, 0, 0}").with("{2.25, 1, 0}", "{4, 1, 0}");
+    const auto whole = mesh_texts(through);
+    EXPECT_THAT(whole.report.notes, Not(Contains(HasSubstr("its springs end"))));
+    EXPECT_THAT(whole.report.warnings, Not(Contains(HasSubstr("its springs end"))));
+    // Along x and y, and the diagonals of 32 x 7 cells.
+    EXPECT_EQ(whole.report.springs.at(0).bonds, 32U * 8 + 32 * 7 + 2 * 32 * 7);
+    for (const Bond& bond : whole.particles.bonds) EXPECT_LT(bond.rest_length, 0.18);
+    const auto cut = mesh_texts(through.with("anchor =", "bonds_within = \"0.19 m\"\nanchor ="));
     EXPECT_THAT(
         cut.report.warnings,
         Contains(AllOf(HasSubstr("block: its springs end at the side of the box across x, which is periodic, near "
                                  "(62.5, 187.5) mm"),
                        HasSubstr("model = \"cells\""))));
+}
+
+TEST(PlaneSolids, end_at_planes_of_symmetry_and_it_is_said) {
+    const Texts half = block.with("{2.25, 0, 0}", "{4, 0, 0}").with("{2.25, 1, 0}", "{4, 1, 0}");
+    const auto meshed = mesh_texts(half.with("periodic = [\"x\"]", "symmetry = [\"x_low\", \"x_high\"]"));
+    EXPECT_THAT(meshed.report.warnings,
+                Contains(AllOf(HasSubstr("block: its springs end at the side of the box across x, a plane of symmetry"),
+                               HasSubstr("model = \"cells\""))));
 }
 
 }  // namespace

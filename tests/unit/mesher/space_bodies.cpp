@@ -294,8 +294,13 @@ TEST(SpaceBodies, a_body_at_the_side_of_the_box_is_noted) {
     const auto at_a_side = drawn_as("{0, 0, 0.25, 0.5, 0.75, 0.5}");
     EXPECT_THAT(at_a_side.notes, Contains(HasSubstr("body: its springs end at the side of the box across x")));
     EXPECT_THAT(at_a_side.warnings, Not(Contains(HasSubstr("its springs end"))));
+    const auto through = drawn_as("{0, 0, 0.25, 2, 0.75, 0.5}");
+    EXPECT_THAT(through.notes, Not(Contains(HasSubstr("its springs end"))));
+    EXPECT_THAT(through.warnings, Not(Contains(HasSubstr("its springs end"))));
+    const auto cut = mesh_texts(column.with("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0, 0, 0.25, 2, 0.75, 0.5}")
+                                    .with("poisson_ratio", "bonds_within = \"0.15 m\"\npoisson_ratio"));
     EXPECT_THAT(
-        drawn_as("{0, 0, 0.25, 2, 0.75, 0.5}").warnings,
+        cut.report.warnings,
         Contains(AllOf(HasSubstr("body: its springs end at the side of the box across x, which is periodic, near "
                                  "(62.5, 187.5, 312.5) mm"),
                        HasSubstr("model = \"cells\""))));

@@ -124,6 +124,21 @@ TEST(SpringsInSpace, are_the_same_bits_on_any_number_of_ranks) {
     }
 }
 
+TEST(SpringsInSpace, that_start_moving_are_the_same_bits_on_any_number_of_ranks) {
+    SceneAndParticles made = solid_and_shell_in_water();
+    made.scene.flow.acceleration[0] = Expression();
+    made.scene.parts[1].initial_velocity =
+        std::array{Expression("0.1", "0.1"), Expression("0.2 * z", "0.2 * z"), Expression()};
+    const Ranks ranks = Ranks::world();
+    const RunSummary alone = run_on(made, Ranks::alone()), shared = run_on(made, ranks);
+    EXPECT_GT(alone.start.momentum[0], 0);
+    EXPECT_EQ(shared.start.momentum, alone.start.momentum);
+    EXPECT_NEAR(alone.end.momentum[0], alone.start.momentum[0], 1e-9 * alone.start.momentum[0]);
+    if (ranks.is_first()) {
+        EXPECT_EQ(shared.state_hash, alone.state_hash);
+    }
+}
+
 TEST(DrivenInSpace, liquid_and_solids_are_the_same_bits_on_any_number_of_ranks) {
     SceneAndParticles made = solid_and_shell_in_water();
     made.scene.flow.acceleration[1] = Expression("-2", "-2");

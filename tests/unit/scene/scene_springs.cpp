@@ -82,6 +82,18 @@ TEST(SceneCells, that_cannot_be_are_refused) {
         EXPECT_THAT(fault(part + neo_hookean),
                     AllOf(HasSubstr("elastic_law is for solids of cells"), HasSubstr("leave out")));
     EXPECT_THAT(fault(area + "elastic_law = \"rubber\""), HasSubstr("neo_hookean"));
+    const std::string ratio = "damping_ratio = 0.05\n", frequency = "damping_frequency = \"2 Hz\"\n";
+    const Part damped =
+        read_text(scene_with(strip, area + cells + "poisson_ratio = 0.3\n" + ratio + frequency)).parts[2];
+    EXPECT_EQ(*damped.damping_ratio, 0.05);
+    EXPECT_EQ(*damped.damping_frequency, 2);
+    EXPECT_THAT(fault(area + cells + "poisson_ratio = 0.3\n" + ratio), HasSubstr("no damping_frequency"));
+    EXPECT_THAT(fault(area + cells + "poisson_ratio = 0.3\n" + frequency), HasSubstr("no damping_ratio"));
+    EXPECT_THAT(fault(area + cells + "poisson_ratio = 0.3\nbond_damping = 0.01\n" + ratio + frequency),
+                HasSubstr("both given"));
+    EXPECT_THAT(fault(area + springs + "poisson_ratio = 0.25\n" + ratio + frequency), HasSubstr("for solids of cells"));
+    EXPECT_THAT(fault(strip + "\ninitial_velocity = [\"1 m/s * t / (1 s)\", 0]"), HasSubstr("depends on t"));
+    EXPECT_THAT(fault(strip + "\ninitial_velocity = [0, 0, \"1 m/s\"]"), HasSubstr("third component"));
 }
 
 TEST(SceneCells, break_by_stress_or_strain_and_springs_by_force_or_strain) {
