@@ -17,12 +17,11 @@ snGradSchemes { default corrected; }
 SOLUTION = """
 solvers
 {
-    "(p|Phi)" { solver GAMG; smoother GaussSeidel; tolerance 1e-6; relTol 0.05; }
+    p { solver GAMG; smoother GaussSeidel; tolerance 1e-6; relTol 0.05; }
     pFinal { solver GAMG; smoother GaussSeidel; tolerance 1e-6; relTol 0.01; }
     "U|UFinal" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-7; relTol 0; }
 }
 PIMPLE { momentumPredictor yes; nOuterCorrectors 1; nCorrectors 2; nNonOrthogonalCorrectors 0; }
-potentialFlow { nNonOrthogonalCorrectors 5; }
 """
 
 
@@ -99,6 +98,24 @@ sets
 """
 
 
+def start(speed):
+    """As flow.initial_velocity of cases/heart_valve/rigid.toml."""
+    x, y, wide = "pos().x()", "pos().y()", valve.HALF_WIDTH
+    half = (f"({x} < -0.0182 ? {wide} : ({x} < -0.0057 ? {wide} - 0.87 * ({x} + 0.0182) : "
+            f"({x} < 0.0548 ? 0.0016 + 0.18 * ({x} + 0.0057) : {wide})))")
+    return f"""
+expressions
+(
+    U
+    {{
+        field U;
+        variables ( "half={half}" );
+        expression "vector(mag({y}) < half ? {speed * wide} / half * (1 - sqr({y} / half)) : 0, 0, 0)";
+    }}
+);
+"""
+
+
 def write_case(folder, speed, whole, end, average_from, step, places):
     for name in ("0", "constant", "system"):
         (folder / name).mkdir(parents=True, exist_ok=True)
@@ -111,6 +128,7 @@ def write_case(folder, speed, whole, end, average_from, step, places):
         ("system", "fvSchemes", "dictionary"): SCHEMES,
         ("system", "fvSolution", "dictionary"): SOLUTION,
         ("system", "atSections", "dictionary"): sample(places),
+        ("system", "setExprFieldsDict", "dictionary"): start(speed),
         ("system", "mapFieldsDict", "dictionary"): "patchMap (); cuttingPatches ();\n",
     }
     for (place, name, kind), text in files.items():

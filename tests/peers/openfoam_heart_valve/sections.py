@@ -30,9 +30,9 @@ def chamber_low(x):
 
 
 def chamber_columns():
-    """Upward sections through the chamber, 2 mm apart: for the stream function."""
-    xs = [x / 1000 for x in range(-14, 17, 2)]
-    return {f"column_{k:02d}": upward(x, chamber_low(x), math.sqrt(CHAMBER_RADIUS**2 - x**2), 61)
+    """Upward sections through the chamber and the vessel behind it, 3 mm apart: for the stream function."""
+    xs = [x / 1000 for x in range(-14, 47, 3)]
+    return {f"column_{k:02d}": upward(x, chamber_low(x), math.sqrt(CHAMBER_RADIUS**2 - x**2) if x < CORNER else HALF_WIDTH, 41)
             for k, x in enumerate(xs)}
 
 
