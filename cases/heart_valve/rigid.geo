@@ -13,8 +13,8 @@
 
 DefineConstant[
   half_width        = {0.0125, Name "half_width"},        // of the vessel
-  upstream          = {0.090,  Name "upstream"},          // from the middle of the chamber
-  downstream        = {0.100,  Name "downstream"},
+  upstream          = {0.065,  Name "upstream"},          // from the middle of the chamber
+  downstream        = {0.080,  Name "downstream"},
   chamber_radius    = {0.0215, Name "chamber_radius"},
   leaflet_length    = {0.016,  Name "leaflet_length"},
   leaflet_thickness = {0.001,  Name "leaflet_thickness"},

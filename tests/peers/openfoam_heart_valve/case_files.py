@@ -98,22 +98,15 @@ sets
 """
 
 
-def start(speed):
-    """As flow.initial_velocity of cases/heart_valve/rigid.toml."""
-    x, y, wide = "pos().x()", "pos().y()", valve.HALF_WIDTH
-    half = (f"({x} < -0.0182 ? {wide} : ({x} < -0.0057 ? {wide} - 0.87 * ({x} + 0.0182) : "
-            f"({x} < 0.0548 ? 0.0016 + 0.18 * ({x} + 0.0057) : {wide})))")
-    return f"""
-expressions
-(
-    U
-    {{
-        field U;
-        variables ( "half={half}" );
-        expression "vector(mag({y}) < half ? {speed * wide} / half * (1 - sqr({y} / half)) : 0, 0, 0)";
-    }}
-);
-"""
+def start(speed, x, y):
+    """u at the start, as flow.initial_velocity of cases/heart_valve/rigid.toml."""
+    wide = valve.HALF_WIDTH
+    half = wide
+    if -0.0182 < x < -0.0057:
+        half = wide - 0.87 * (x + 0.0182)
+    elif -0.0057 <= x < 0.0548:
+        half = 0.0016 + 0.18 * (x + 0.0057)
+    return speed * wide / half * (1 - (y / half)**2) if abs(y) < half else 0.0
 
 
 def write_case(folder, speed, whole, end, average_from, step, places):
@@ -128,7 +121,6 @@ def write_case(folder, speed, whole, end, average_from, step, places):
         ("system", "fvSchemes", "dictionary"): SCHEMES,
         ("system", "fvSolution", "dictionary"): SOLUTION,
         ("system", "atSections", "dictionary"): sample(places),
-        ("system", "setExprFieldsDict", "dictionary"): start(speed),
         ("system", "mapFieldsDict", "dictionary"): "patchMap (); cuttingPatches ();\n",
     }
     for (place, name, kind), text in files.items():

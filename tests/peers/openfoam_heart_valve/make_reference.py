@@ -8,7 +8,7 @@
                                                        from the runs of three cells, such as 1,0.7,0.5
 
 Laminar incompressible flow, second order in space (linear upwind) and time; a parabola with SPEED [m/s] on the axis flows in
-45 mm upstream of the chamber's middle, the pressure is 0 100 mm downstream of it. The start is that of rigid.toml. Averages over time, sampled along the
+45 mm upstream of the chamber's middle, the pressure is 0 80 mm downstream of it. The start is that of rigid.toml. Averages over time, sampled along the
 sections of sections.py. SPEED and times go together: a run lasts END / SPEED and averages from AVERAGE_FROM / SPEED on.
 """
 import math
@@ -23,8 +23,8 @@ import case_files
 import sections as valve
 
 GEOMETRY = pathlib.Path(__file__).resolve().parents[3] / "cases/heart_valve/rigid.geo"
-UPSTREAM, DOWNSTREAM = 0.045, 0.100
-END, AVERAGE_FROM = 0.050, 0.025  # way of the inflow on the axis [m]
+UPSTREAM, DOWNSTREAM = 0.045, 0.080
+END, AVERAGE_FROM = 0.030, 0.015  # way of the inflow on the axis [m]
 INSET = 1e-6  # sections end that far before a wall or the axis: on it, no cell holds the point [m]
 
 
@@ -45,6 +45,16 @@ def read_places():
 
     return {name: [(x, INSET) for x, _ in where] if name == "axis" else
             [inside(x, y, (where[0][1], where[-1][1])) for x, y in where] for name, where in places.items()}
+
+
+def write_start(folder, speed):
+    call(folder, "postProcess", "-func", "writeCellCentres", "-time", "0")
+    text = (folder / "0/C").read_text(encoding="utf-8")
+    centres = re.findall(r"\(([^ ()]+) ([^ ()]+) [^ ()]+\)", text[text.index("internalField"):text.index("boundaryField")])
+    cells = "".join(f"({case_files.start(speed, float(x), float(y)):.8g} 0 0)\n" for x, y in centres)
+    field = folder / "0/U"
+    text = field.read_text(encoding="utf-8")
+    field.write_text(text.replace("uniform (0 0 0);", f"nonuniform List<vector> {len(centres)} (\n{cells});", 1), encoding="utf-8")
 
 
 def name_of(speed, cell, whole=False):
@@ -68,7 +78,7 @@ def run(root, speed, cell, whole, start):
     boundary.write_text(re.sub(r"physicalType\s+patch;", "", text), encoding="utf-8")
     call(folder, "checkMesh")
     if start is None:
-        call(folder, "setExprFields")
+        write_start(folder, speed)
     else:
         call(folder, "mapFields", f"../{name_of(speed, start)}", "-sourceTime", "latestTime", "-consistent")
     call(folder, "pimpleFoam")

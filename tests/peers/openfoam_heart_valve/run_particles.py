@@ -18,7 +18,7 @@ import sys
 import sections as valve
 
 CASE = pathlib.Path(__file__).resolve().parents[3] / "cases/heart_valve"
-BASE_SPEED, BASE_END = 0.2, 0.25  # of rigid.toml
+BASE_SPEED, BASE_END = 0.2, 0.15  # of rigid.toml
 
 
 def scene(speed, spacing):
@@ -28,10 +28,11 @@ def scene(speed, spacing):
     def scaled(pattern, factor):
         nonlocal text
         text, count = re.subn(pattern, lambda found: f"{found[1]}{float(found[2]) * factor:.10g}{found[3]}", text)
-        assert count == 1, pattern
+        assert count > 0, pattern
 
     scaled(r'(largest_speed = ")([0-9.]+)( m/s")', ratio)
-    scaled(r'(pressure_gradient = \[")(-[0-9.]+)( Pa/m)', ratio**2)
+    scaled(r'(\? )([0-9.]+)( m/s\^2 \* sin)', ratio**2)
+    scaled(r'([:?] )([1-9][0-9.]*)( Pa)', ratio**2)
     scaled(r'(\? )([0-9.]+)( m/s \* 12.5 mm)', ratio)
     scaled(r'(duration = ")([0-9.]+)( s")', 1 / ratio)
     scaled(r'(\nevery = ")([0-9.]+)( s")', 1 / ratio)
@@ -69,7 +70,7 @@ def main():
     if len(sys.argv) != 5:
         sys.exit(__doc__)
     program, speed, spacing, folder = sys.argv[1], float(sys.argv[2]), float(sys.argv[3]), pathlib.Path(sys.argv[4])
-    if not (folder / "summary.json").exists():
+    if not (folder / "out/summary.json").exists():
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "scene.toml").write_text(scene(speed, spacing), encoding="utf-8")
         subprocess.run([program, "run", folder / "scene.toml", "--out", folder / "out", "--threads", "1"], check=True)
@@ -79,8 +80,7 @@ def main():
     u = {name: along(found, name, len(where), "_x") for name, where in places.items()}
     v = {name: along(found, name, len(where), "_y") for name, where in places.items()}
     columns = {name: along(found, name, len(where), "_x") for name, where in valve.chamber_columns().items()}
-    gradient = float(re.search(r"pressure_gradient = \[\"(-[0-9.]+)", scene(speed, spacing))[1])
-    pressure = [p + gradient * x for p, (x, _) in zip(along(found, "pressure_on_axis", 141, ""), places["axis"])]
+    pressure = along(found, "pressure_on_axis", 141, "")
     results = valve.quantities(u, pressure, columns)
     fluxes = [row[1] for row in history]
     results["flux_least_over_mean"] = min(fluxes) / (sum(fluxes) / len(fluxes))
