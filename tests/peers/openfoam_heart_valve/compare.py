@@ -48,6 +48,37 @@ def difference(reference, found, low=-math.inf, high=math.inf):
     return math.sqrt(sum(squares) / len(squares)), largest
 
 
+def bins_of(rows, length, count):
+    """Means of a section of the grid over the bins that run_particles.py counts particles in."""
+    means = []
+    for k in range(count):
+        places = [length * (k + (n + 0.5) / 20) / count for n in range(20)]
+        values = [value for value in (at(rows, place) for place in places) if not math.isnan(value)]
+        means.append(sum(values) / len(values) if values else math.nan)
+    return means
+
+
+def compare_particles(grid, folder):
+    """Of each section at the tips: on the axis (two bins), peak, and root mean square of the difference, all in % of the
+    grid's peak."""
+    with open(folder / "particles.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    found = {}
+    for name, length in (("throat", valve.THROAT_HALF), ("tip", valve.TIP_GAP / 2)):
+        mine = [row for row in rows if row["section"] == name]
+        other = bins_of(grid[name], length, len(mine))
+        counts = [int(row["count"]) for row in mine]
+        u = [float(row["u_over_mean_inflow"]) for row in mine]
+        used = [k for k, count in enumerate(counts) if count >= 3]
+        top = max(other[k] for k in used)
+        inner = [k for k in used if k < 4]
+        axis = sum((u[k] - other[k]) * counts[k] for k in inner) / sum(counts[k] for k in inner)
+        square = sum((u[k] - other[k])**2 * counts[k] for k in used) / sum(counts[k] for k in used)
+        found[name] = {"near the axis": axis / top * 100, "peak": (max(u[k] for k in used) / top - 1) * 100,
+                       "rms": math.sqrt(square) / top * 100, "profile": [(u[k], other[k], counts[k]) for k in range(len(u))]}
+    return found
+
+
 def over_inflow(found):
     mean = valve.integral([(0, y) for y, _, _ in found["inlet"]], [u for _, u, _ in found["inlet"]]) / valve.HALF_WIDTH
     return {name: [(place, u / mean, v / mean) for place, u, v in rows] for name, rows in found.items()}
@@ -70,6 +101,11 @@ def main():
         name = row["quantity"]
         print(f"| {name} | " + " | ".join([row[cell] for cell in cells] + [row["limit"]] +
                                           [f"{float(one[name]):.4g}" for one in quantities.values()]) + " |")
+    particles = [compare_particles(grid, folder) for folder in runs.values()]
+    for section in ("throat", "tip"):
+        for what in ("near the axis", "peak", "rms"):
+            print(f"| particles at the {section}: {what} [%] | " + " | ".join([""] * (len(cells) + 1)) + " | " +
+                  " | ".join(f"{one[section][what]:+.1f}" for one in particles) + " |")
     ranges = {"inlet": {}, "throat": {}, "tip": {}, "chamber": {}, "axis": {"high": 0.02}}
     for section, limits in ranges.items():
         found = [difference(grid[section], over_inflow(read_sections(folder / "sections.csv"))[section], **limits)

@@ -4,9 +4,12 @@
 
     run_particles.py DMP SPEED SPACING FOLDER
 
-Runs cases/heart_valve/rigid.toml with an inflow of SPEED [m/s] on the axis, particles SPACING [mm] apart, into FOLDER, and
-writes FOLDER/sections.csv and FOLDER/quantities.csv: averages over the second half of the run. All speeds of the scene go
-with SPEED, pressures with its square, times with its inverse.
+Runs cases/heart_valve/rigid.toml with an inflow of SPEED [m/s] on the axis, particles SPACING [mm] apart, into FOLDER. All speeds
+of the scene go with SPEED, pressures with its square, times with its inverse. It writes FOLDER/sections.csv and
+FOLDER/quantities.csv, averages of lines over the second half of the run, and FOLDER/particles.csv: then the run goes on by a
+fifth with 30 frames, and the velocities of the particles themselves that are within BAND of the two sections at the tips are
+averaged in BINS from the axis to the leaflet. Lines smooth over the kernel's support, which at the tips is as wide as the jet.
+Needs Debian's python3-vtk9.
 """
 import csv
 import math
@@ -19,6 +22,7 @@ import sections as valve
 
 CASE = pathlib.Path(__file__).resolve().parents[3] / "cases/heart_valve"
 BASE_SPEED, BASE_END = 0.2, 0.15  # of rigid.toml
+FRAMES, BAND, BINS = 30, 0.15e-3, 12
 
 
 def scene(speed, spacing):
@@ -46,11 +50,11 @@ def scene(speed, spacing):
     return text
 
 
-def averages(folder, start):
+def averages(folder, start, end):
     with open(folder / "measures.csv", encoding="utf-8") as file:
         rows = list(csv.reader(file))
     names = [name.split(" ")[0] for name in rows[0]]
-    values = [[float(value) for value in row] for row in rows[1:] if float(row[0]) >= start]
+    values = [[float(value) for value in row] for row in rows[1:] if start <= float(row[0]) <= 1.001 * end]
 
     def mean(column):
         known = [value for value in column if not math.isnan(value)]
@@ -66,6 +70,38 @@ def along(found, name, count, part):
     return [found[way.format(k) + part] for k in range(1, count + 1)]
 
 
+def read_frame(path):
+    """Time, places and velocities of the fluid particles."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    data = reader.GetOutput()
+    time = data.GetFieldData().GetArray("TimeValue").GetValue(0)
+    return time, vtk_to_numpy(data.GetPoints().GetData()), vtk_to_numpy(data.GetPointData().GetArray("velocity"))
+
+
+def particles_at(results, start, ends):
+    """Of each section in `ends` (x, length) the mean of u over the mean inflow of that time, and the count, by bin."""
+    with open(results / "measures.csv", encoding="utf-8") as file:
+        flux = [(float(row[0]), float(row[1])) for row in list(csv.reader(file))[1:]]
+    sums = {name: [[0.0, 0] for _ in range(BINS)] for name in ends}
+    for path in sorted((results / "frames").glob("fluid_*.vtp")):
+        time, places, velocities = read_frame(path)
+        if time < start:
+            continue
+        (t0, q0), (t1, q1) = next((a, b) for a, b in zip(flux, flux[1:]) if b is flux[-1] or b[0] >= time)
+        mean = (q0 + (q1 - q0) * (time - t0) / (t1 - t0)) / valve.HALF_WIDTH
+        for name, (x, length) in ends.items():
+            for (px, py, _), (u, _, _) in zip(places, velocities):
+                if abs(px - x) < BAND and py < length:
+                    entry = sums[name][int(py / length * BINS)]
+                    entry[0] += float(u) / mean
+                    entry[1] += 1
+    return sums
+
+
 def main():
     if len(sys.argv) != 5:
         sys.exit(__doc__)
@@ -75,7 +111,16 @@ def main():
         (folder / "scene.toml").write_text(scene(speed, spacing), encoding="utf-8")
         subprocess.run([program, "run", folder / "scene.toml", "--out", folder / "out", "--threads", "1"], check=True)
     end = BASE_END * BASE_SPEED / speed
-    found, history = averages(folder / "out", end / 2)
+    if not (folder / "particles.csv").exists():
+        subprocess.run([program, "run", folder / "scene.toml", "--out", folder / "out", "--threads", "1", "--resume", "--until",
+                        f"{1.2 * end:.9g} s", "--set", f"output.every={0.2 * end / FRAMES:.9g} s"], check=True)
+        ends = {"throat": (valve.THROAT, valve.THROAT_HALF), "tip": (valve.TIP, valve.TIP_GAP / 2)}
+        with open(folder / "particles.csv", "w", encoding="utf-8") as file:
+            file.write("section,bin,u_over_mean_inflow,count\n")
+            for name, bins in particles_at(folder / "out", 1.001 * end, ends).items():
+                for k, (total, count) in enumerate(bins):
+                    file.write(f"{name},{k},{total / count if count else math.nan:.5g},{count}\n")
+    found, history = averages(folder / "out", end / 2, end)
     places = valve.sections()
     u = {name: along(found, name, len(where), "_x") for name, where in places.items()}
     v = {name: along(found, name, len(where), "_y") for name, where in places.items()}
