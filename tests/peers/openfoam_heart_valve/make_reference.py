@@ -24,7 +24,7 @@ import sections as valve
 
 GEOMETRY = pathlib.Path(__file__).resolve().parents[3] / "cases/heart_valve/rigid.geo"
 UPSTREAM, DOWNSTREAM = 0.045, 0.080
-END, AVERAGE_FROM = 0.030, 0.015  # way of the inflow on the axis [m]
+END, AVERAGE_FROM = 0.020, 0.010  # way of the inflow on the axis [m]
 INSET = 1e-6  # sections end that far before a wall or the axis: on it, no cell holds the point [m]
 
 

@@ -21,7 +21,7 @@ import sys
 import sections as valve
 
 CASE = pathlib.Path(__file__).resolve().parents[3] / "cases/heart_valve"
-BASE_SPEED, BASE_END = 0.2, 0.15  # of rigid.toml
+BASE_SPEED, BASE_END = 0.2, 0.1  # of the runs [m/s, s]
 FRAMES, BAND, BINS = 30, 0.15e-3, 12
 
 
@@ -106,11 +106,12 @@ def main():
     if len(sys.argv) != 5:
         sys.exit(__doc__)
     program, speed, spacing, folder = sys.argv[1], float(sys.argv[2]), float(sys.argv[3]), pathlib.Path(sys.argv[4])
+    end = BASE_END * BASE_SPEED / speed
     if not (folder / "out/summary.json").exists():
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "scene.toml").write_text(scene(speed, spacing), encoding="utf-8")
-        subprocess.run([program, "run", folder / "scene.toml", "--out", folder / "out", "--threads", "1"], check=True)
-    end = BASE_END * BASE_SPEED / speed
+        subprocess.run([program, "run", folder / "scene.toml", "--out", folder / "out", "--threads", "1", "--until",
+                        f"{end:.9g} s"], check=True)
     if not (folder / "particles.csv").exists():
         subprocess.run([program, "run", folder / "scene.toml", "--out", folder / "out", "--threads", "1", "--resume", "--until",
                         f"{1.2 * end:.9g} s", "--set", f"output.every={0.2 * end / FRAMES:.9g} s"], check=True)
