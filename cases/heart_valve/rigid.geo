@@ -1,5 +1,5 @@
-// The upper half of the heart valve of heart_valve.geo with leaflets that are walls: an area `leaflet_thickness` thick about the
-// leaflet's line, round at its tip and let into the wall at its root. whole = 1 draws the lower half as well.
+// The upper half of the heart valve of heart_valve.geo with leaflets that are walls: an area `leaflet_thickness` thick about
+// the leaflet's line, round at its tip and let into the wall at its root. whole = 1 draws the lower half as well.
 // All lengths in metres.
 //
 //                  .-'''''''''-.

@@ -8,8 +8,8 @@
                                                        from the runs of three cells, such as 1,0.7,0.5
 
 Laminar incompressible flow, second order in space (linear upwind) and time; a parabola with SPEED [m/s] on the axis flows in
-45 mm upstream of the chamber's middle, the pressure is 0 80 mm downstream of it. The start is that of rigid.toml. Averages over time, sampled along the
-sections of sections.py. SPEED and times go together: a run lasts END / SPEED and averages from AVERAGE_FROM / SPEED on.
+45 mm upstream of the chamber's middle, the pressure is 0 80 mm downstream of it. The start is that of rigid.toml. Averages
+over time are sampled along the sections of sections.py. SPEED and times go together: a run lasts END / SPEED and averages from AVERAGE_FROM / SPEED on.
 """
 import math
 import os
@@ -54,7 +54,8 @@ def write_start(folder, speed):
     cells = "".join(f"({case_files.start(speed, float(x), float(y)):.8g} 0 0)\n" for x, y in centres)
     field = folder / "0/U"
     text = field.read_text(encoding="utf-8")
-    field.write_text(text.replace("uniform (0 0 0);", f"nonuniform List<vector> {len(centres)} (\n{cells});", 1), encoding="utf-8")
+    text = text.replace("uniform (0 0 0);", f"nonuniform List<vector> {len(centres)} (\n{cells});", 1)
+    field.write_text(text, encoding="utf-8")
 
 
 def name_of(speed, cell, whole=False):
@@ -133,7 +134,8 @@ def tables(root, references, cells):
     lines = [f"# Heart valve with rigid leaflets: what was compared, {head}. limit: Richardson's, error: of the finest",
              "inflow_m_s,quantity," + ",".join(columns) + ",limit,error"]
     rows = [f"# Heart valve with rigid leaflets: averages along sections, {head}. u_middle: of the middle mesh; "
-            "scatter: standard deviation of u in time", "inflow_m_s,section,x_mm,y_mm,u_middle_m_s,u_m_s,v_m_s,scatter_m_s,p_pa"]
+            "scatter: standard deviation of u in time",
+            "inflow_m_s,section,x_mm,y_mm,u_middle_m_s,u_m_s,v_m_s,scatter_m_s,p_pa"]
     for speed in valve.SPEEDS:
         runs = [read_run(root / name_of(speed, cell)) for cell in cells]
         found = [quantities(one) for one in runs]

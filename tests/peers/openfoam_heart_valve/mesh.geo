@@ -1,5 +1,5 @@
-// Quadrilaterals, one cell deep, over cases/heart_valve/rigid.geo: `cell` wide in vessel and chamber, a third of it in the jet, an
-// eighth at the leaflets.
+// Quadrilaterals, one cell deep, over cases/heart_valve/rigid.geo: `cell` wide in vessel and chamber, a third of
+// it in the jet, an eighth at the leaflets.
 DefineConstant[ cell = {0.001, Name "cell"} ];
 Include "rigid.geo";
 Delete Physicals;

@@ -4,8 +4,8 @@
 
     run_particles.py DMP SPEED SPACING FOLDER
 
-Runs cases/heart_valve/rigid.toml with an inflow of SPEED [m/s] on the axis, particles SPACING [mm] apart, into FOLDER. All speeds
-of the scene go with SPEED, pressures with its square, times with its inverse. It writes FOLDER/sections.csv and
+Runs cases/heart_valve/rigid.toml with an inflow of SPEED [m/s] on the axis, particles SPACING [mm] apart, into FOLDER. All
+speeds of the scene go with SPEED, pressures with its square, times with its inverse. It writes FOLDER/sections.csv and
 FOLDER/quantities.csv, averages of lines over the second half of the run, and FOLDER/particles.csv: then the run goes on by a
 fifth with 30 frames, and the velocities of the particles themselves that are within BAND of the two sections at the tips are
 averaged in BINS from the axis to the leaflet. Lines smooth over the kernel's support, which at the tips is as wide as the jet.
@@ -113,8 +113,9 @@ def main():
         subprocess.run([program, "run", folder / "scene.toml", "--out", folder / "out", "--threads", "1", "--until",
                         f"{end:.9g} s"], check=True)
     if not (folder / "particles.csv").exists():
-        subprocess.run([program, "run", folder / "scene.toml", "--out", folder / "out", "--threads", "1", "--resume", "--until",
-                        f"{1.2 * end:.9g} s", "--set", f"output.every={0.2 * end / FRAMES:.9g} s"], check=True)
+        subprocess.run([program, "run", folder / "scene.toml", "--out", folder / "out", "--threads", "1", "--resume",
+                        "--until", f"{1.2 * end:.9g} s", "--set", f"output.every={0.2 * end / FRAMES:.9g} s",
+                        "--set", "output.pictures=false"], check=True)
         ends = {"throat": (valve.THROAT, valve.THROAT_HALF), "tip": (valve.TIP, valve.TIP_GAP / 2)}
         with open(folder / "particles.csv", "w", encoding="utf-8") as file:
             file.write("section,bin,u_over_mean_inflow,count\n")
