@@ -9,7 +9,8 @@
 
 Laminar incompressible flow, second order in space (linear upwind) and time; a parabola with SPEED [m/s] on the axis flows in
 45 mm upstream of the chamber's middle, the pressure is 0 80 mm downstream of it. The start is that of rigid.toml. Averages
-over time are sampled along the sections of sections.py. SPEED and times go together: a run lasts END / SPEED and averages from AVERAGE_FROM / SPEED on.
+over time are sampled along the sections of sections.py. SPEED and times go together: a run lasts END / SPEED and averages
+from AVERAGE_FROM / SPEED on.
 """
 import math
 import os

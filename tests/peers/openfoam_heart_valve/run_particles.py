@@ -36,8 +36,8 @@ def scene(speed, spacing):
 
     scaled(r'(largest_speed = ")([0-9.]+)( m/s")', ratio)
     scaled(r'(\? )([0-9.]+)( m/s\^2 \* sin)', ratio**2)
-    scaled(r'([:?] )([1-9][0-9.]*)( Pa)', ratio**2)
-    scaled(r'(\? )([0-9.]+)( m/s \* 12.5 mm)', ratio)
+    scaled(r'([:?]\s+)([1-9][0-9.]*)( Pa)', ratio**2)
+    scaled(r'(\?\s+)([0-9.]+)( m/s \* 12.5 mm)', ratio)
     scaled(r'(duration = ")([0-9.]+)( s")', 1 / ratio)
     scaled(r'(\nevery = ")([0-9.]+)( s")', 1 / ratio)
     scaled(r'(measure_every = ")([0-9.]+)( ms")', 1 / ratio)
