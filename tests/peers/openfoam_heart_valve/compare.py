@@ -15,15 +15,18 @@ import sys
 import sections as valve
 
 
+BINS_CLEAR = 10  # of 12
+
+
 def read_sections(path, speed=None):
-    """Of each section its places along it [m], u and v."""
+    """Of each section its places along it [m] and u."""
     found = {}
     with open(path, encoding="utf-8") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             if speed is not None and float(row["inflow_m_s"]) != speed:
                 continue
             place = float(row["x_mm"] if row["section"] == "axis" else row["y_mm"]) / 1e3
-            found.setdefault(row["section"], []).append((place, float(row["u_m_s"]), float(row["v_m_s"])))
+            found.setdefault(row["section"], []).append((place, float(row["u_m_s"])))
     return found
 
 
@@ -37,9 +40,9 @@ def at(rows, place):
 
 def difference(reference, found, low=-math.inf, high=math.inf):
     """Root mean square of found - reference over the largest |reference|, both over their mean inflow, and the largest."""
-    size = max(abs(u) for _, u, _ in reference if not math.isnan(u))
+    size = max(abs(u) for _, u in reference if not math.isnan(u))
     squares, largest = [], 0.0
-    for place, u, _ in reference:
+    for place, u in reference:
         other = at(found, place)
         if math.isnan(u) or math.isnan(other) or not low <= place <= high:
             continue
@@ -59,8 +62,8 @@ def bins_of(rows, length, count):
 
 
 def compare_particles(grid, folder):
-    """Of each section at the tips: on the axis (two bins), peak, and root mean square of the difference, all in % of the
-    grid's peak."""
+    """Of each section at the tips, by bins: near the axis (a third of the section), peak, and root mean square of the
+    difference, all in % of the grid's peak."""
     with open(folder / "particles.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     found = {}
@@ -73,15 +76,18 @@ def compare_particles(grid, folder):
         top = max(other[k] for k in used)
         inner = [k for k in used if k < 4]
         axis = sum((u[k] - other[k]) * counts[k] for k in inner) / sum(counts[k] for k in inner)
-        square = sum((u[k] - other[k])**2 * counts[k] for k in used) / sum(counts[k] for k in used)
+
+        def rms(bins):
+            return math.sqrt(sum((u[k] - other[k])**2 * counts[k] for k in bins) / sum(counts[k] for k in bins)) / top * 100
+
         found[name] = {"near the axis": axis / top * 100, "peak": (max(u[k] for k in used) / top - 1) * 100,
-                       "rms": math.sqrt(square) / top * 100, "profile": [(u[k], other[k], counts[k]) for k in range(len(u))]}
+                       "rms": rms(used), "rms without the two bins at the leaflet": rms([k for k in used if k < BINS_CLEAR])}
     return found
 
 
 def over_inflow(found):
-    mean = valve.integral([(0, y) for y, _, _ in found["inlet"]], [u for _, u, _ in found["inlet"]]) / valve.HALF_WIDTH
-    return {name: [(place, u / mean, v / mean) for place, u, v in rows] for name, rows in found.items()}
+    mean = valve.integral([(0, y) for y, _ in found["inlet"]], [u for _, u in found["inlet"]]) / valve.HALF_WIDTH
+    return {name: [(place, u / mean) for place, u in rows] for name, rows in found.items()}
 
 
 def main():
@@ -103,7 +109,7 @@ def main():
                                           [f"{float(one[name]):.4g}" for one in quantities.values()]) + " |")
     particles = [compare_particles(grid, folder) for folder in runs.values()]
     for section in ("throat", "tip"):
-        for what in ("near the axis", "peak", "rms"):
+        for what in particles[0][section]:
             print(f"| particles at the {section}: {what} [%] | " + " | ".join([""] * (len(cells) + 1)) + " | " +
                   " | ".join(f"{one[section][what]:+.1f}" for one in particles) + " |")
     ranges = {"inlet": {}, "throat": {}, "tip": {}, "chamber": {}, "axis": {"high": 0.02}}

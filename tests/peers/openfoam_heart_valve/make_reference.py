@@ -116,16 +116,16 @@ def quantities(found):
 
 
 def extrapolated(values, cells):
-    """Richardson's limit and error of the finest of three, coarse to fine; order 2, or as observed where that is less
-    and the three are in order."""
+    """Richardson's limit of three values, coarse to fine, and the error of the finest: with the order that they show, from 1
+    to 2. Where they do not go one way there is no limit, and the error is the largest difference between them."""
     coarse, middle, fine = values
-    ratio = cells[1] / cells[2]
-    order = 2.0
     change, before = fine - middle, middle - coarse
-    if change != 0 and before / change > 1:
-        order = min(order, math.log(before / change) / math.log(ratio))
-    limit = fine + change / (ratio**max(order, 0.5) - 1)
-    return limit, limit - fine
+    if change * before <= 0:
+        return math.nan, max(values) - min(values)
+    ratio = cells[1] / cells[2]
+    order = min(max(math.log(before / change) / math.log(ratio), 1.0), 2.0)
+    limit = fine + change / (ratio**order - 1)
+    return limit, abs(limit - fine)
 
 
 def tables(root, references, cells):
@@ -136,7 +136,7 @@ def tables(root, references, cells):
              "inflow_m_s,quantity," + ",".join(columns) + ",limit,error"]
     rows = [f"# Heart valve with rigid leaflets: averages along sections, {head}. u_middle: of the middle mesh; "
             "scatter: standard deviation of u in time",
-            "inflow_m_s,section,x_mm,y_mm,u_middle_m_s,u_m_s,v_m_s,scatter_m_s,p_pa"]
+            "inflow_m_s,section,x_mm,y_mm,u_middle_m_s,u_m_s,scatter_m_s,p_pa"]
     for speed in valve.SPEEDS:
         runs = [read_run(root / name_of(speed, cell)) for cell in cells]
         found = [quantities(one) for one in runs]
@@ -146,10 +146,12 @@ def tables(root, references, cells):
         for name, where in valve.sections().items():
             fine = runs[-1][name]
             for k, (x, y) in enumerate(where):
-                if name in ("axis", "chamber") and k % 2:
+                if k % {"axis": 4, "chamber": 4, "inlet": 2}.get(name, 1):
                     continue
-                numbers = [runs[-2][name]["u"][k], fine["u"][k], fine["v"][k], fine["scatter"][k], fine["p"][k]]
-                rows.append(",".join([f"{speed:g}", name, f"{x * 1e3:.3f}", f"{y * 1e3:.3f}", *(f"{n:.4g}" for n in numbers)]))
+                numbers = [runs[-2][name]["u"][k], fine["u"][k], fine["scatter"][k], fine["p"][k]]
+                if not any(math.isnan(n) for n in numbers):
+                    places = [f"{speed:g}", name, f"{x * 1e3:.3f}", f"{y * 1e3:.3f}"]
+                    rows.append(",".join(places + [f"{n:.3g}" if n == numbers[2] else f"{n:.4g}" for n in numbers]))
     for name, text in (("heart_valve_grid.csv", lines), ("heart_valve_grid_sections.csv", rows)):
         (references / name).write_text("\n".join(text) + "\n", encoding="utf-8")
 

@@ -51,9 +51,9 @@ def integral(places, values):
     return sum((b[0] - a[0]) * (a[1] + b[1]) / 2 for a, b in zip(known, known[1:]))
 
 
-def recirculation(columns, u):
-    """Centre (x, y) of the closed vortex in the upper chamber and the flux that turns in it [m^2/s], where the stream
-    function, 0 on the wall, is least: of each column, and then of a parabola through three of them."""
+def least_stream_function(columns, u):
+    """Of each column x, the place y and the value of the least stream function, which is 0 on the wall: below 0 is what flows
+    back above y, and below y as much flows forward again."""
     best = []
     for name, places in columns.items():
         known = [(y, w) for (_, y), w in zip(places, u[name]) if not math.isnan(w)]
@@ -63,6 +63,11 @@ def recirculation(columns, u):
             if psi < least:
                 least, where = psi, low
         best.append((places[0][0], where, least))
+    return best
+
+
+def centre(best):
+    """Centre (x, y) of the strongest vortex and the flux that turns in it [m^2/s], by a parabola through three columns."""
     k = min(range(len(best)), key=lambda n: best[n][2])
     if not 0 < k < len(best) - 1:
         return best[k][0], best[k][1], -best[k][2]
@@ -77,7 +82,9 @@ def quantities(u, pressure, columns_u):
     places = sections()
     flux = integral(places["inlet"], u["inlet"])
     mean = flux / HALF_WIDTH
-    x, y, turning = recirculation(chamber_columns(), columns_u)
+    best = least_stream_function(chamber_columns(), columns_u)
+    x, y, turning = centre(best)
+    middle = min(best, key=lambda column: abs(column[0]))  # nearest to the middle of the chamber
 
     def peak(name):
         return max(value for value in u[name] if not math.isnan(value))
@@ -89,4 +96,5 @@ def quantities(u, pressure, columns_u):
             "axis_peak_m_s": peak("axis"), "chamber_axis_over_mean_inflow": u["chamber"][0] / mean,
             "pressure_drop_pa": pressure[0] - pressure[-1], "pressure_drop_over_head": (pressure[0] - pressure[-1]) / head,
             "vortex_x_mm": x * 1e3, "vortex_y_mm": y * 1e3, "vortex_flux_over_inflow": turning / flux,
+            "backflow_in_chamber_over_inflow": -middle[2] / flux, "its_lower_edge_mm": middle[1] * 1e3,
             "chamber_backflow_peak_over_mean_inflow": min(value for value in u["chamber"] if not math.isnan(value)) / mean}
