@@ -7,10 +7,10 @@
     make_reference.py tables FOLDER REFERENCES CELLS   writes REFERENCES/heart_valve_grid.csv and heart_valve_grid_sections.csv
                                                        from the runs of three cells, such as 1,0.7,0.5
 
-Laminar incompressible flow, of second order on the grid (linear upwind) and in time; a parabola with SPEED [m/s] on the axis flows in
-45 mm upstream of the chamber's middle, the pressure is 0 80 mm downstream of it. The start is that of rigid.toml. Averages
-over time are sampled along the sections of sections.py. SPEED and times go together: a run lasts END / SPEED and averages
-from AVERAGE_FROM / SPEED on.
+Laminar incompressible flow, of second order on the grid (linear upwind) and in time; a parabola with SPEED [m/s] on the axis
+flows in 45 mm upstream of the chamber's middle, the pressure is 0 80 mm downstream of it. The start is that of rigid.toml.
+Averages over time are sampled along the sections of sections.py. SPEED and times go together: a run lasts END / SPEED and
+averages from AVERAGE_FROM / SPEED on.
 """
 import math
 import os
