@@ -84,7 +84,17 @@ enum class Axis { x, y, z };
 enum class SolidifyRule { per_pair, per_candidate, mutually_closest };
 /// What a solidifying particle is bonded to: its seed, or all particles of the aggregate within reach.
 enum class BondTo { seed, neighbours };
-enum class SolidField { velocity, displacement, mean_displacement, stress, von_mises, strain, force, surface_stress };
+enum class SolidField {
+    velocity,
+    displacement,
+    mean_displacement,
+    stress,
+    von_mises,
+    strain,
+    force,
+    surface_stress,
+    principal_stretches
+};
 
 }  // namespace dmp::scene
 
@@ -147,7 +157,8 @@ inline constexpr auto enum_names<scene::FluidField> =
     std::to_array<std::string_view>({"velocity", "pressure", "density", "shear_stress", "stress", "von_mises",
                                      "vorticity", "residence_time", "concentration"});
 template <>
-inline constexpr auto enum_names<scene::SolidField> = std::to_array<std::string_view>(
-    {"velocity", "displacement", "mean_displacement", "stress", "von_mises", "strain", "force", "surface_stress"});
+inline constexpr auto enum_names<scene::SolidField> =
+    std::to_array<std::string_view>({"velocity", "displacement", "mean_displacement", "stress", "von_mises", "strain",
+                                     "force", "surface_stress", "principal_stretches"});
 
 }  // namespace dmp

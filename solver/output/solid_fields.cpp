@@ -53,6 +53,9 @@ class SolidFields {
                     for (const auto& corner : corners) largest = std::max(largest, von_mises(corner));
                     return std::array{largest};
                 });
+            case SolidField::principal_stretches:
+                return add_nodes("principal_stretches", "1", 2,
+                                 [&](std::size_t body, std::size_t node) { return stretches(body, node); });
             case SolidField::strain:
                 return add_bond_field("strain", "1",
                                       [](const Bond& bond, double stretch) { return stretch / bond.rest_length; });
@@ -78,6 +81,31 @@ class SolidFields {
         const SpringBody& of = *springs_.bodies()[body];
         for (double& component : stress) component /= -volume_[index_of_.at(of.ids()[node])] * of.volume_ratio(node);
         return stress;
+    }
+
+    /// The least and the largest.
+    std::array<double, 2> stretches(std::size_t body, std::size_t node) {
+        const SpringBody& of = *springs_.bodies()[body];
+        if (const auto strains = of.strains(node))  // Green's: E = (l^2 - 1) / 2
+            return {std::sqrt(1 + 2 * (*strains)[0]), std::sqrt(1 + 2 * (*strains)[1])};
+        if (of_bonds_.empty())
+            for (const auto& each : springs_.bodies()) of_bonds_.push_back(stretches_of_bonds(*each));
+        return of_bonds_[body][node];
+    }
+    static std::vector<std::array<double, 2>> stretches_of_bonds(const SpringBody& body) {
+        constexpr double none = 0;
+        std::vector<std::array<double, 2>> of_node(body.nodes(), {none, none});
+        for (const SpringBody::OwnBond& bond : body.bonds()) {
+            const double stretch = 1 + body.stretch(bond) / bond.rest_length;
+            for (const int end : {bond.a, bond.b}) {
+                auto& [least, largest] = of_node[static_cast<std::size_t>(end)];
+                least = least == none ? stretch : std::min(least, stretch);
+                largest = std::max(largest, stretch);
+            }
+        }
+        for (auto& [least, largest] : of_node)
+            if (largest == none) least = largest = 1;
+        return of_node;
     }
 
     template <class ValuesOf>
@@ -111,7 +139,8 @@ class SolidFields {
     const SpringBodies& springs_;
     const MeanDisplacement& mean_displacement_;
     std::unordered_map<std::int64_t, std::size_t> index_of_;
-    std::vector<std::vector<std::array<double, 6>>> virial_;  ///< by body and node, when it was needed
+    std::vector<std::vector<std::array<double, 6>>> virial_;    ///< by body and node, when it was needed
+    std::vector<std::vector<std::array<double, 2>>> of_bonds_;  ///< stretches, the same
 };
 
 }  // namespace

@@ -15,6 +15,7 @@ namespace dmp::solver {
 ///   SPH
 ///              sums and J its volume over that at rest, 1 for springs: Cauchy's stress of cells; tension is positive
 ///   von_mises  of that stress, nothing acting across the plane [Pa]
+///   principal_stretches  least and largest of a cell, at its centroid; of springs those of the node's bonds [-]
 ///   surface_stress  the largest von_mises at the corners of a cell's solid; of springs von_mises [Pa]
 ///   strain, force   of each bond: (r - r0) / r0 [-], 2 k_b (r - r0) [N]
 /// `volume` is that of the group's particles [m^3].

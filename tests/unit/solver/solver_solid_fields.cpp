@@ -75,8 +75,9 @@ class SolidFields : public ::testing::Test {
   protected:
     explicit SolidFields(double average_from = 0) : set_(ladder({4, 0.5, true})) {
         scene_ = scene_with(part_with(0.2), SpringStepping::implicit);
-        scene_.output.solid_fields = {SolidField::mean_displacement, SolidField::stress, SolidField::displacement,
-                                      SolidField::von_mises,         SolidField::strain, SolidField::force};
+        scene_.output.solid_fields = {SolidField::mean_displacement,  SolidField::stress, SolidField::displacement,
+                                      SolidField::von_mises,          SolidField::strain, SolidField::force,
+                                      SolidField::principal_stretches};
         scene_.output.average_from = average_from;
     }
     void run() {
@@ -123,13 +124,24 @@ TEST_F(SolidFields, are_those_asked_for_in_the_order_of_the_group) {
     run();
     std::vector<std::string> names;
     for (const FrameField& field : group_.fields) names.push_back(field.name);
-    EXPECT_THAT(names, ElementsAre("mean_displacement", "stress", "displacement", "von_mises"));
+    EXPECT_THAT(names, ElementsAre("mean_displacement", "stress", "displacement", "von_mises", "principal_stretches"));
     EXPECT_EQ(group_.fields[1].components, 6);
     EXPECT_EQ(group_.fields[1].unit, "Pa");
     ASSERT_EQ(group_.bond_fields.size(), 2U);
     EXPECT_EQ(group_.bonds(), set_.bonds.size());
+    const FrameField& strain = group_.bond_fields.at(0);
+    ASSERT_EQ(strain.name, "strain");
+    std::vector<std::array<float, 2>> stretches(set_.size(), {2, 0});
+    for (std::size_t b = 0; b < group_.bonds(); ++b)
+        for (const std::size_t end : {2 * b, 2 * b + 1}) {
+            auto& [least, most] = stretches.at(static_cast<std::size_t>(group_.id[group_.bond_ends[end]]));
+            least = std::min(least, 1 + strain.values[b]);
+            most = std::max(most, 1 + strain.values[b]);
+        }
     float largest = 0;
     for (std::size_t node = 0; node < set_.size(); ++node) {
+        EXPECT_NEAR(value(4, node, 0), stretches[node][0], 1e-6F);
+        EXPECT_NEAR(value(4, node, 1), stretches[node][1], 1e-6F);
         std::array<double, 6> stress = expected_[node];
         for (double& component : stress) component /= -2;
         for (int c = 0; c < 6; ++c) EXPECT_FLOAT_EQ(value(1, node, c), static_cast<float>(stress[c])) << node;
