@@ -94,6 +94,7 @@ class ParticleBuilder {
     /// Within the drawn area of a solid of springs, also where no whole cell of it is.
     [[nodiscard]] bool is_in_a_solid(const Vec& point) const;
     void claim_solids();
+    void refuse_overlap(const SpringSolid& solid, const SolidCells& cells) const;
     /// The lattice points in the area that belong to whole cells of springs.
     void claim_points(SpringSolid& solid);
     void claim_cells(SpringSolid& solid, const Region& region);

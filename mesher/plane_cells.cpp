@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "base/length_text.hpp"
 #include "mesher/cell_solids.hpp"
 #include "mesher/own_lattice.hpp"
 #include "mesher/particle_builder.hpp"
@@ -185,6 +186,7 @@ void ParticleBuilder::claim_cells(SpringSolid& solid, const Region& region) {
     if (!text.empty())
         result_.report.notes.push_back(part.name.value + ": its cells have a lattice of their own, " + text);
     check_filled(part, cells, region.area());
+    refuse_overlap(solid, cells);
     hold_on_planes(result_.particles, cells);
     clamp_cells(part, cells);
     for (std::size_t n = 0; n < cells.cells.size(); ++n) {
@@ -192,6 +194,25 @@ void ParticleBuilder::claim_cells(SpringSolid& solid, const Region& region) {
         solid.anchored.push_back(is_partly_held(cells, n, 2));
     }
     solid.cells = std::move(cells);
+}
+
+/// Two solids in one place: what is there would be there twice.
+void ParticleBuilder::refuse_overlap(const SpringSolid& solid, const SolidCells& cells) const {
+    constexpr double depth = 0.25;  // that solids drawn side by side may be in each other [spacings]
+    for (const SpringSolid& other : solids_) {
+        if (&other == &solid) continue;
+        for (const Filling& filling : cells.fillings) {
+            const auto is_in = [&](double x, double y) {
+                const Vec point = filling.centroid + depth * spacing_ * Vec(x, y, 0);
+                return other.region.side_of(point) == Side::inside;
+            };
+            if (!is_in(1, 0) || !is_in(-1, 0) || !is_in(0, 1) || !is_in(0, -1)) continue;
+            throw InputError(solid.part->name.location,
+                             "'" + solid.part->name.value + "' is drawn into '" + other.part->name.value +
+                                 "', an elastic solid, too, near " + position_text(filling.centroid, 2),
+                             "draw them beside each other, or as one part");
+        }
+    }
 }
 
 void ParticleBuilder::clamp_cells(const Part& part, SolidCells& cells) const {

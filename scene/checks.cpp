@@ -294,10 +294,10 @@ void check_measure(const Scene& scene, const Measure& measure) {
     const std::string what = other == nullptr ? "the scene has no part '" + *measure.part + "'"
                                               : "part '" + *measure.part + "' is of kind '" + to_string(*other->kind) +
                                                     "', expected 'elastic'";
-    throw InputError(
-        measure.part.location, what,
-        nearest.empty() ? "gaps and displacements are measured of elastic solids; the scene has " + quoted_list(springs)
-                        : "did you mean '" + nearest + "'?");
+    throw InputError(measure.part.location, what,
+                     nearest.empty() ? to_string(*measure.kind) + " is measured of elastic solids; the scene has " +
+                                           quoted_list(springs)
+                                     : "did you mean '" + nearest + "'?");
 }
 
 /// A selection of faces, in 2-D of curves, needs at least one criterion.

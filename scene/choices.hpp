@@ -66,7 +66,8 @@ enum class MeasureKind {
     detached,
     aggregate,
     uptake,
-    displacement
+    displacement,
+    body
 };
 enum class FluidField {
     velocity,
@@ -146,7 +147,8 @@ template <>
 inline constexpr auto enum_names<scene::MeasureKind> = std::to_array<std::string_view>(
     {"flux",     "gap",    "largest_speed",      "density",  "kinetic_energy", "probe",     "line",
      "mode",     "amount", "mean_concentration", "profile",  "spread",         "wall_flux", "peclet",
-     "velocity", "spin",   "wall_force",         "detached", "aggregate",      "uptake",    "displacement"});
+     "velocity", "spin",   "wall_force",         "detached", "aggregate",      "uptake",    "displacement",
+     "body"});
 template <>
 inline constexpr auto enum_names<scene::SolidifyRule> = std::to_array<std::string_view>({"per_pair", "per_candidate",
                                                                                          "mutually_closest"});

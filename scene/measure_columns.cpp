@@ -148,6 +148,15 @@ std::vector<MeasureColumn> measure_columns(const Scene& scene, const Measure& me
             for (const std::size_t c : probed_components(3, *scene.dimension))
                 columns.push_back({name + "_" + std::string(vector_components.at(c)), "m"});
             return columns;
+        case MeasureKind::body:
+            for (const auto& [what, unit] : {std::pair("", "m"), std::pair("_velocity", "m/s")})
+                for (const std::size_t c : probed_components(3, *scene.dimension))
+                    columns.push_back({name + what + "_" + std::string(vector_components.at(c)), unit});
+            columns.push_back({name + "_angle", "rad"});
+            columns.push_back({name + "_length", "m"});
+            columns.push_back({name + "_least_stretch", "1"});
+            columns.push_back({name + "_largest_stretch", "1"});
+            return columns;
         case MeasureKind::velocity:
             return three(name, "m/s");
         case MeasureKind::spin:

@@ -59,7 +59,7 @@ std::vector<Key<ResidenceRegion>> region_keys() {
 std::vector<Key<Measure>> measure_keys() {
     const Kinds all, lines = {"flux", "line"}, fields = {"probe", "line", "mode"}, probe = {"probe"}, line = {"line"};
     const Kinds of_part = {"gap", "velocity", "spin", "detached"};
-    const Kinds detached = {"detached"}, wall_flux = {"wall_flux"}, aggregate = {"aggregate"}, displacement = {"displacement"};
+    const Kinds detached = {"detached"}, wall_flux = {"wall_flux"}, aggregate = {"aggregate"}, displacement = {"displacement"}, body = {"body"};
     const Kinds boxes = {"mean_concentration", "profile", "spread"}, along = {"profile", "spread"};
     const Kinds of_species = measures_of(MeasureSubject::species);
     return {
@@ -68,7 +68,8 @@ std::vector<Key<Measure>> measure_keys() {
          "Quantity to measure: flux through a line, gap between the pieces of a part, largest speed, density, "
          "kinetic energy, field at a probe, along a line or its Fourier mode; of a species its amount, mean concentration, profile, "
          "spread, flux into a wall, uptake, Peclet number; of spheres their velocity, spin, force on the walls, number "
-         "detached from a sphere; size, pieces and bonds of an aggregate; displacement of an elastic solid."},
+         "detached from a sphere; size, pieces and bonds of an aggregate; displacement of an elastic solid; its place, speed, angle, "
+         "length and stretches as a body."},
         {"from", lines, &Measure::from, point(), required, "Start of the line."},
         {"to", lines, &Measure::to, point(), required, "End of the line."},
         {"points", line, &Measure::points, integer(Range{2, 1000, false, {}}), "20",
@@ -111,6 +112,9 @@ std::vector<Key<Measure>> measure_keys() {
          "measured."},
         {"part", displacement, &Measure::part, name(), required,
          "Elastic solid whose displacement from its initial position is measured: that of its centre of mass, or of a point."},
+        {"part", body, &Measure::part, name(), required,
+         "Elastic solid whose centre of mass, velocity, angle, length, and least and largest stretch are measured, as of one body "
+         "(docs/results.md)."},
         {"point", displacement, &Measure::point, point(), not_given,
          "Initial position of the particle whose displacement is measured: the nearest one is taken."},
     };

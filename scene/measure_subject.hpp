@@ -30,6 +30,7 @@ constexpr MeasureSubject subject_of(MeasureKind kind) {
         case MeasureKind::gap:
         case MeasureKind::aggregate:
         case MeasureKind::displacement:
+        case MeasureKind::body:
             return MeasureSubject::solids;
         case MeasureKind::amount:
         case MeasureKind::mean_concentration:
@@ -55,7 +56,7 @@ constexpr bool reads_a_field(MeasureKind kind) {
 
 /// Whether a measure is of an elastic part alone.
 constexpr bool is_of_elastic_part(MeasureKind kind) {
-    return kind == MeasureKind::gap || kind == MeasureKind::displacement;
+    return kind == MeasureKind::gap || kind == MeasureKind::displacement || kind == MeasureKind::body;
 }
 
 /// Whether a measure is of a species. A probe of concentrations is of the fluid.

@@ -33,6 +33,7 @@ MeasureColumns columns_of(MeasureKind kind) {
             return {one, ""};
         case MeasureKind::peclet:
             return {one, "1"};
+        case MeasureKind::body:
         case MeasureKind::line:
         case MeasureKind::mode:
         case MeasureKind::profile:

@@ -41,6 +41,7 @@ class CellBody final : public SpringBody {
     [[nodiscard]] Vec position_before(std::size_t node) const override;
     [[nodiscard]] Vec rest_position(std::size_t node) const override;
 
+    [[nodiscard]] Vec velocity(std::size_t node) const override;
     [[nodiscard]] double free_mass() const override { return network_.free_mass(); }
     [[nodiscard]] Vec total_momentum() const override { return network_.total_momentum(); }
     [[nodiscard]] double energy() const override { return network_.energy(); }
@@ -49,7 +50,6 @@ class CellBody final : public SpringBody {
     [[nodiscard]] double self_contact_rate() const override;
     /// -V F S F^T of each cell: minus Kirchhoff's stress times its volume at rest.
     [[nodiscard]] std::vector<std::array<double, 6>> virial() const override;
-    [[nodiscard]] Vec velocity(std::size_t node) const override;
     [[nodiscard]] std::vector<std::array<double, 6>> surface_stresses(std::size_t node) const override;
     [[nodiscard]] double volume_ratio(std::size_t node) const override;
     [[nodiscard]] std::optional<std::array<double, 2>> strains(std::size_t node) const override;

@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "solver/output/aggregates.hpp"
+#include "solver/output/body_measure.hpp"
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/fourier_mode.hpp"
 #include "solver/output/probe.hpp"
@@ -49,6 +50,14 @@ struct Measures::Rows {
          [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
              const Vec mean = self.displacements_.at(&measure).mean(moment.step.springs());
              return Values(mean.data(), mean.data() + self.space_.dimension);
+         }},
+        {MeasureKind::body,
+         [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
+             const auto& rows = moment.series.rows;
+             const BodyMeasure body(measure, moment.step.springs(), self.space_.dimension);
+             // Its column is behind those of position and velocity.
+             const std::size_t angle = moment.first + 2 * static_cast<std::size_t>(self.space_.dimension);
+             return body.values(rows.empty() ? 0 : rows.back().at(angle));
          }},
         {MeasureKind::largest_speed,
          [](const Measures&, const Measure&, const FluidMoment& moment) {

@@ -20,6 +20,7 @@ namespace dmp::solver {
 ///                  particles count with a hat of one support radius across the line, so the sum does not jump
 ///   gap            smallest distance between centres of particles of different pieces of an elastic solid [m]
 ///   displacement   of an elastic solid (DisplacementMeasure), a column for each component [m]
+///   body           place, velocity, angle, length and stretches of an elastic solid (BodyMeasure)
 ///   largest_speed  of the fluid [m/s]
 ///   density        lowest and highest density of the fluid over its rest density, two columns [-]
 ///   kinetic_energy of the fluid, SUM m |v|^2 / 2 [J]

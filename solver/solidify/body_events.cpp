@@ -27,7 +27,7 @@ namespace {
 /// A part's particles may be others than its scene asks for: a thin volume becomes a shell, and particles may come from
 /// a file.
 void refuse_limit(const Value<double>& limit, const std::string& text, const Breaking& rule) {
-    if (limit.given())
+    if (limit > 0)
         throw InputError(limit.location,
                          "break '" + *rule.name + "': " + text + " (a volume thinner than two spacings is a shell)",
                          "give strain_above");
@@ -38,11 +38,11 @@ std::variant<BondBreak, SolidBreak> law_of(const ParticleSet& set, const Breakin
         set.cells, [&](const SolidCell& cell) { return set.parts[set.part[cell.particle]].name == *rule.part; });
     if (of_cells) {
         refuse_limit(rule.force_above, "'" + *rule.part + "' consists of cells, and force_above is for bonds", rule);
-        if (rule.stress_above.given()) return SolidBreak{SolidBreak::Criterion::stress, rule.stress_above};
+        if (rule.stress_above > 0) return SolidBreak{SolidBreak::Criterion::stress, rule.stress_above};
         return SolidBreak{SolidBreak::Criterion::strain, rule.strain_above};
     }
     refuse_limit(rule.stress_above, "'" + *rule.part + "' consists of bonds, and stress_above is for cells", rule);
-    if (rule.force_above.given()) return BondBreak{BreakCriterion::force, rule.force_above};
+    if (rule.force_above > 0) return BondBreak{BreakCriterion::force, rule.force_above};
     return BondBreak{BreakCriterion::strain, rule.strain_above};
 }
 

@@ -165,8 +165,8 @@ class Forgotten(unittest.TestCase):
                      NOT_HANDLED)
 
     def measure(self, subject=None):
-        headers = replaced(CHOICES, ("    displacement\n}", "    displacement, forgotten\n}"),
-                           ('"displacement"}', '"displacement", "forgotten"}'))
+        headers = replaced(CHOICES, ("    body\n}", "    body, forgotten\n}"),
+                           ('"body"}', '"body", "forgotten"}'))
         if subject:
             case = f"case MeasureKind::forgotten: return MeasureSubject::{subject};"
             headers |= replaced("scene/measure_subject.hpp", ("    switch (kind) {", "    switch (kind) {" + case))

@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  did you mean 'leaflets'?"},
         Fault{"reference_to_another_kind", "part = \"leaflets\"", "part = \"wall\"",
               "scene.toml:45:8: part 'wall' is of kind 'rigid', expected 'elastic'\n"
-              "  gaps and displacements are measured of elastic solids; the scene has 'leaflets'"},
+              "  gap is measured of elastic solids; the scene has 'leaflets'"},
         Fault{"missing_reference", "part = \"leaflets\"", "",
               "scene.toml:42:1: missing key: measure.tip_gap.part\n"
               "  add 'part' in [[measure]]: a name of letters, digits and '_'"},

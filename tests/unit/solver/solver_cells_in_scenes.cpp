@@ -200,7 +200,8 @@ TEST(CellsInScenes, a_load_on_the_tip_stays_on_it_where_it_asks_for_the_initial_
         const auto impulse = [&](const std::string& place) {
             Texts texts = lifted_by_its_tip(place, springs ? "400" : "600");
             if (springs)
-                texts = texts.with("model = \"cells\"\n", "").with("poisson_ratio = 0.3", "poisson_ratio = 0.25");
+                texts = texts.with("model = \"cells\"", "model = \"springs\"")
+                            .with("poisson_ratio = 0.3", "poisson_ratio = 0.25");
             const Meshed meshed = mesh_texts(texts);
             return Simulation(meshed.scene, meshed.particles, Resources(1)).run({}).impulse_of_body_forces[1];
         };

@@ -74,7 +74,7 @@ solid_fields = ["velocity", "displacement"]
             geometry};
 }
 
-Texts of_springs(const Texts& texts) { return texts.with("model = \"cells\"\n", ""); }
+Texts of_springs(const Texts& texts) { return texts.with("model = \"cells\"", "model = \"springs\""); }
 
 class AllFrames : public FrameSink {
   public:

@@ -1,0 +1,92 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/output/body_measure.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dmp::solver {
+
+namespace {
+
+/// The turn that brings X nearest to x (Kabsch 1976), from SUM m x (x) X; in 2-D about z.
+Eigen::Matrix3d turn_of(const Eigen::Matrix3d& covariance, int dimension) {
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    if (dimension == 2) {
+        const double cosine = covariance(0, 0) + covariance(1, 1), sine = covariance(1, 0) - covariance(0, 1);
+        if (const double size = std::hypot(cosine, sine); size > 0)
+            turn.topLeftCorner<2, 2>() << cosine / size, -sine / size, sine / size, cosine / size;
+        return turn;
+    }
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const double side = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+    return svd.matrixU() * Eigen::Vector3d(1, 1, side < 0 ? -1 : 1).asDiagonal() * svd.matrixV().transpose();
+}
+
+}  // namespace
+
+BodyMeasure::BodyMeasure(const Measure& measure, const SpringBodies& springs, int dimension) : dimension_(dimension) {
+    const auto origin = static_cast<int>(std::ranges::find(springs.names(), *measure.part) - springs.names().begin());
+    const auto for_each = [&](const auto& visit) {
+        for (const auto& body : springs.bodies())
+            for (std::size_t node = 0; node < body->nodes(); ++node)
+                if (body->origin(node) == origin && !body->of_wall(node)) visit(*body, node, body->mass(node));
+    };
+    double mass = 0;
+    Vec before = Vec::Zero();
+    for_each([&](const SpringBody& body, std::size_t node, double m) {
+        mass += m;
+        centre_ += m * body.position(node);
+        velocity_ += m * body.velocity(node);
+        before += m * body.rest_position(node);
+    });
+    centre_ /= mass;
+    velocity_ /= mass;
+    before /= mass;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(), at_rest = covariance, now = covariance;
+    for_each([&](const SpringBody& body, std::size_t node, double m) {
+        const Vec x = body.position(node) - centre_, at_start = body.rest_position(node) - before;
+        covariance += m * (x * at_start.transpose());
+        at_rest += m * (at_start * at_start.transpose());
+        now += m * (x * x.transpose());
+    });
+    turn_ = turn_of(covariance, dimension);
+    // Where the body has no extent it counts as unstretched.
+    constexpr double tiny = 1e-9;
+    const double floor = tiny * std::max(at_rest.trace(), std::numeric_limits<double>::min());
+    const Eigen::Matrix3d gradient =
+        (covariance + floor * turn_) * (at_rest + floor * Eigen::Matrix3d::Identity()).inverse();
+    stretch_ = turn_.transpose() * gradient;
+    const Vec axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(now).eigenvectors().col(2);  // ascending
+    double low = 0, high = 0;
+    for_each([&](const SpringBody& body, std::size_t node, double) {
+        const double along = axis.dot(body.position(node) - centre_);
+        low = std::min(low, along);
+        high = std::max(high, along);
+    });
+    length_ = high - low;
+}
+
+std::vector<double> BodyMeasure::values(double angle_before) const {
+    std::vector<double> values;
+    for (const Vec& vector : {centre_, velocity_})
+        for (int axis = 0; axis < dimension_; ++axis) values.push_back(vector[axis]);
+    if (dimension_ == 2) {
+        const double angle = std::atan2(turn_(1, 0), turn_(0, 0)), whole = 2 * std::numbers::pi;
+        values.push_back(angle + whole * std::round((angle_before - angle) / whole));
+    } else {
+        values.push_back(Eigen::AngleAxisd(turn_).angle());
+    }
+    values.push_back(length_);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> principal(stretch_.topLeftCorner(dimension_, dimension_));
+    values.push_back(principal.singularValues()[dimension_ - 1]);
+    values.push_back(principal.singularValues()[0]);
+    return values;
+}
+
+}  // namespace dmp::solver

@@ -1,0 +1,35 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "solver/elastic/spring_bodies.hpp"
+#include "solver/uses.hpp"
+
+namespace dmp::solver {
+
+/// An elastic solid as one body. With sums over its particles, X and x from the centres of mass in the initial and in
+/// the present state, the mean deformation is the F that fits best (least squares, by mass):
+///   F = (SUM m x (x) X) (SUM m X (x) X)^-1 = R U
+///   angle     of the turn R [rad]: in 2-D anticlockwise, over any number of turns if it turns by less than half a one
+///             between two rows; in 3-D 0 to pi
+///   length    extent of the particles' centres along the longest principal axis of SUM m x (x) x [m]
+///   stretches least and largest principal value of U [-]; 1 along a direction in which the body has no extent
+/// Every rank has all of it, as it has all bodies.
+class BodyMeasure {
+  public:
+    BodyMeasure(const Measure& measure, const SpringBodies& springs, int dimension);
+
+    /// Centre of mass and velocity, by component, angle, length, least and largest stretch. `angle_before`: in the row
+    /// before [rad].
+    [[nodiscard]] std::vector<double> values(double angle_before) const;
+
+  private:
+    int dimension_;
+    Vec centre_ = Vec::Zero(), velocity_ = Vec::Zero();
+    double length_ = 0;
+    Eigen::Matrix3d turn_ = Eigen::Matrix3d::Identity(), stretch_ = Eigen::Matrix3d::Identity();  ///< R and U
+};
+
+}  // namespace dmp::solver
