@@ -163,6 +163,7 @@ Origin origin_of(const std::filesystem::path& file, const ParticleSet& particles
 }  // namespace
 
 std::vector<std::string> values_behind_particles(const Scene& scene) {
+    const bool of_spheres = !scene.parts_of(PartKind::spheres).empty();
     std::vector<std::string> lines;
     std::istringstream text(resolved_scene(scene));
     std::string table, part;
@@ -174,7 +175,8 @@ std::vector<std::string> values_behind_particles(const Scene& scene) {
         const auto equals = line.find(" = ");
         if (equals == std::string::npos) continue;
         const std::string key = line.substr(0, equals);
-        if (!matters(table, key)) continue;
+        const bool is_in_file = of_spheres && key == "initial_velocity";  // theirs is in the set, that of solids is not
+        if (!matters(table, key) && !is_in_file) continue;
         // A part's first key is its name, as a selection's and a join's.
         const bool is_named = table == "part" || table == "select" || table == "join";
         if (is_named && key == "name") {

@@ -57,6 +57,7 @@ Scene at_rest(Scene scene, double sound_speed) {
         part.surface_velocity = {};
         part.velocity = {};
         part.spin = {};
+        part.initial_velocity = {};
     }
     scene.forces.clear();
     scene.moving_shapes.clear();

@@ -108,18 +108,20 @@ void add_cells_of(const SolidCells& cells, std::size_t first, ParticleSet& set) 
     set.cell_nodes.insert(set.cell_nodes.end(), cells.nodes.begin(), cells.nodes.end());
 }
 
-void report_cells(const Part& part, const SolidCells& cells, double drawn, double whole_cell,
-                  MeshReport::SpringLine& line, MeshReport& report) {
+void report_cells(const Part& part, const SolidCells& cells, double drawn, MeshReport::SpringLine& line,
+                  MeshReport& report) {
     line.bodies = cells.pieces;
     line.anchored = static_cast<std::size_t>(std::ranges::count(cells.nodes, true, &CellNode::fixed));
-    line.particle_mass = whole_cell * part.density;
+    const Vec& size = cells.cells.front().size;  // of its own lattice
+    line.particle_mass = size[0] * size[1] * (size[2] > 0 ? size[2] : 1) * part.density;
     line.elements = {
         cells.cells.size(), cells.nodes.size(),          cells.cut, cells.volume(), drawn, part.youngs_modulus,
         part.poisson_ratio, to_string(*part.elastic_law)};
-    if (std::abs(cells.volume() / drawn - 1) > 0.02) {
+    const double share = (cells.volume() - cells.behind_anchor) / drawn;
+    if (std::abs(share - 1) > 0.02) {
         std::ostringstream warning;
         warning.precision(3);
-        warning << part.name.value << ": its cells have " << cells.volume() / drawn
+        warning << part.name.value << ": its cells have " << share
                 << " of the drawn volume: some of it is beyond the sides of the scene or too thin"
                 << (cells.cells.front().size[2] > 0 ? ", or its surfaces are seen too coarsely by seven lines a box"
                                                     : "")

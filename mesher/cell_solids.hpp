@@ -42,7 +42,7 @@ void add_cells_of(const SolidCells& cells, std::size_t first, ParticleSet& set);
 [[nodiscard]] bool is_partly_held(const SolidCells& cells, std::size_t cell, int dimension);
 
 /// What the report says of them; it warns where their volume is not the drawn one within 2 %.
-void report_cells(const Part& part, const SolidCells& cells, double drawn, double whole_cell,
-                  MeshReport::SpringLine& line, MeshReport& report);
+void report_cells(const Part& part, const SolidCells& cells, double drawn, MeshReport::SpringLine& line,
+                  MeshReport& report);
 
 }  // namespace dmp::mesher

@@ -92,6 +92,7 @@ void fill_up(const RegionOnBoxes& with, const BoxLattice& boxes, SolidCells& cel
         const Filling more = with.filling(box_at(boxes, middle));
         if (!(more.volume > 0)) continue;
         filling.add(more);
+        cells.behind_anchor += more.volume;
         cell.centroid = filling.centroid - middle;
         cell.moment = filling.moment;
     }
@@ -244,8 +245,7 @@ void ParticleBuilder::add_cells(const SpringSolid& solid, int part_number, MeshR
     }
     add_cells_of(cells, first, result_.particles);
     bodies_ += cells.pieces;
-    report_cells(*solid.part, cells, geometry_.region(solid.part->name)->area(), lattice_.cell_area(), line,
-                 result_.report);
+    report_cells(*solid.part, cells, geometry_.region(solid.part->name)->area(), line, result_.report);
 }
 
 }  // namespace dmp::mesher

@@ -138,13 +138,13 @@ void ParticleBuilder::add_elastic(const Part& part) {
     if (solid != solids_.end()) {
         add_solid(*solid, number, line);
         if (solid->cells) line.bar = bar_of(part, *geometry_.region(part.name), *solid->cells);
-        if (!solid->cells) note_open_ends(result_.particles, first, part.name, result_.report);
+        if (!solid->cells) note_open_ends(result_.particles, first, part.name, true, result_.report);
         result_.report.springs.push_back(line);
         return;
     }
     line.axial_stiffness_asked = strip_stiffness(part).axial;
     for (const Polyline& piece : geometry_.curve_set(part.name)->pieces) add_ladder(part, number, piece, line);
-    note_open_ends(result_.particles, first, part.name, result_.report);
+    note_open_ends(result_.particles, first, part.name, false, result_.report);
     if (!part.anchor->empty() && line.anchored == 0) {
         const bool to_points = geometry_.points.contains(part.anchor);
         throw InputError(part.anchor.location,

@@ -57,6 +57,8 @@ struct SolidCells {
     std::size_t merged = 0;  ///< boxes with too little solid, which went to a neighbour's cell
     std::size_t lost = 0;    ///< boxes with solid and no cell beside them
     double lost_volume = 0;  ///< [m^3], in 2-D [m^2]
+    /// What is not drawn, and is in the cells all the same: behind a bent anchor [m^3], in 2-D [m^2].
+    double behind_anchor = 0;
 
     [[nodiscard]] double volume() const;  ///< of all cells [m^3], in 2-D [m^2]
 };

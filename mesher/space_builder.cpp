@@ -31,6 +31,14 @@ SpaceLattice lattice_around(const ParticleSet& set, const Scene& scene) {
             fitted};
 }
 
+/// Whether a volume is to consist of cells however thin it is: something is given that shells do not have.
+bool asks_for_cells(const Scene& scene, const Part& part) {
+    const bool tears = std::ranges::any_of(
+        scene.breaking, [&](const Breaking& rule) { return *rule.part == *part.name && rule.stress_above.given(); });
+    return scene.is_of_cells(part) &&
+           (part.model.given() || part.elastic_law.given() || part.damping_ratio.given() || tears);
+}
+
 }  // namespace
 
 Box fluid_box_in_space(const Geometry& geometry, const Scene& scene) {
@@ -69,8 +77,8 @@ SpaceBuilder::SpaceBuilder(const Geometry& geometry, const Scene& scene)
     }
     for (const Part* part : scene.parts_of(PartKind::elastic))
         if (const Solid* solid = geometry.solid(part->name);
-            solid != nullptr && (part->bonds_within.given() || (part->model.given() && scene.is_of_cells(*part)) ||
-                                 !take_as_sheet(*part, *solid)))
+            solid != nullptr &&
+            (part->bonds_within.given() || asks_for_cells(scene, *part) || !take_as_sheet(*part, *solid)))
             claim_elastic(*part, *solid);
     for (std::size_t fluid = 0; fluid < fluids_.size(); ++fluid) {
         const TriangleSurface& surface = geometry.solid(fluids_[fluid]->name)->surface;

@@ -96,8 +96,7 @@ void SpaceBuilder::add_cells(SpringSolid& solid, int part, MeshReport::SpringLin
     }
     add_cells_of(cells, first, set);
     bodies_ += cells.pieces;
-    report_cells(*solid.part, cells, geometry_.solid(solid.part->name)->volume(), lattice_->cell_volume(), line,
-                 result_.report);
+    report_cells(*solid.part, cells, geometry_.solid(solid.part->name)->volume(), line, result_.report);
 }
 
 }  // namespace dmp::mesher

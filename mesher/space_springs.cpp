@@ -201,7 +201,7 @@ void SpaceBuilder::add_elastic(const Part& part) {
             result_.report.warnings.push_back(std::move(text));
     }
     clamp(part, first, line);
-    note_open_ends(set, first, part.name, result_.report);
+    note_open_ends(set, first, part.name, solid != spring_solids_.end(), result_.report);
     result_.report.springs.push_back(line);
 }
 

@@ -218,7 +218,8 @@ void add_elastic_of(const SpringLattice& lattice, std::size_t first, ParticleSet
     line.dihedrals += dihedrals.size();
 }
 
-void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part, MeshReport& report) {
+void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part, bool may_be_cells,
+                    MeshReport& report) {
     std::vector<std::size_t> free;
     for (std::size_t i = first; i < set.size(); ++i)
         if (set.fixed[i] == 0) free.push_back(i);
@@ -237,16 +238,19 @@ void note_open_ends(const ParticleSet& set, std::size_t first, const std::string
                 report.warnings.push_back(
                     part + ": its springs end at " + across + ", a plane of symmetry, near " +
                     position_text(set.position[near.at(side)[0]], set.dimension) +
-                    ", and are free as if they were cut there; write model = \"cells\", whose nodes stay on the plane");
+                    ", and are free as if they were cut there; " +
+                    (may_be_cells
+                         ? "leave out model = \"springs\" and bonds_within: the nodes of cells stay on the plane"
+                         : "draw it a spacing short of the plane, or both halves"));
         if (!set.periodic.at(at) || (near[0].empty() && near[1].empty())) continue;
         if (const auto cut = bonded_across(set, axis, near[0], near[1])) {
             report.warnings.push_back(
                 part + ": its springs end at " + across + ", which is periodic, near " +
                 position_text(set.position[*cut], set.dimension) +
-                ", and are free as if they were cut there, though it is drawn on both sides; draw the ends or rims on "
-                "both sides alike, a period apart, in a solid write model = \"cells\" instead of bonds_within, or draw "
-                "it "
-                "a spacing short of the side");
+                ", and are free as if they were cut there, though it is drawn on both sides; " +
+                (may_be_cells
+                     ? "leave out model = \"springs\" and bonds_within: cells go on there"
+                     : "draw its ends or rims alike on both sides, a period apart, or a spacing short of them"));
         } else if (std::ranges::find(goes_on, true) == goes_on.end()) {
             report.notes.push_back(part + ": its springs end at " + across +
                                    ", where it is free as if it were cut there");

@@ -53,7 +53,8 @@ void add_elastic_of(const SpringLattice& lattice, std::size_t first, ParticleSet
 
 /// Says where the nodes from `first` on reach a side of the box beyond which the scene goes on, and their springs do
 /// not. A warning, with the place, where free nodes would be bonded to others across the side, or stand at a plane of
-/// symmetry.
-void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part, MeshReport& report);
+/// symmetry. `may_be_cells`: whether it is an area or a volume.
+void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part, bool may_be_cells,
+                    MeshReport& report);
 
 }  // namespace dmp::mesher

@@ -114,7 +114,7 @@ std::vector<Key<Part>> part_keys() {
         {"name", all, &Part::name, name(), required,
          "Name of the part: its physical group, solid, surface or curve in the geometry, if it has one there."},
         {"kind", all, &Part::kind, one_of<PartKind>(), required,
-         "Kind of part: a fluid, a rigid wall, an elastic solid (masses and springs), spheres in contact, or a wall "
+         "Kind of part: a fluid, a rigid wall, an elastic solid, spheres in contact, or a wall "
          "for spheres (a plane or a surface of triangles)."},
         {"enabled", all, &Part::enabled, boolean(), "true",
          "false leaves the part out of the simulation; the geometry may still contain it."},

@@ -85,6 +85,7 @@ std::string why_fixed_in_part(const Scene& scene, const std::string& part, const
     if (of == nullptr) return other_particles;
     if (is_in(free_part_keys, key)) return "";
     if (is_in(motion_keys, key)) return is_at_rest(difference.before) == is_at_rest(difference.now) ? "" : other_motion;
+    if (*of->kind == PartKind::elastic && key == "initial_velocity") return acts_at_start;
     if (*of->kind == PartKind::elastic && is_in(spring_keys, key))
         return scene.changes_bodies() ? springs_in_state : "";
     return other_particles;

@@ -62,9 +62,9 @@ Driving::Driving(const Scene& scene, const ParticleSet& set, const ParticleSpace
     }
     for (const ForceOnPart& force : scene.forces) {
         const int part = number_of(set, force.part);
-        const bool by_volume = is_total(force.amount) && share_by_volume(set, part);
+        const bool by_mass = is_total(force.amount) && share_by_mass(set, part);
         const PartForce law{is_total(force.amount), counts_[static_cast<std::size_t>(part)]};
-        forces_.push_back({part, force.force, law, window_of(force), by_volume,
+        forces_.push_back({part, force.force, law, window_of(force), by_mass,
                            std::ranges::any_of(*force.force, &Expression::depends_on_position),
                            std::ranges::any_of(*force.force, &Expression::depends_on_initial_position)});
     }
@@ -93,21 +93,21 @@ Driving::Driving(const Scene& scene, const ParticleSet& set, const ParticleSpace
     }
 }
 
-bool Driving::share_by_volume(const ParticleSet& set, int part) {
+bool Driving::share_by_mass(const ParticleSet& set, int part) {
     constexpr double alike = 1e-9;
     if (set.parts[static_cast<std::size_t>(part)].kind == PartKind::spheres) return false;
     double smallest = infinity, largest = 0, sum = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {
         if (set.part[i] != part) continue;
-        smallest = std::min(smallest, set.volume[i]);
-        largest = std::max(largest, set.volume[i]);
-        sum += set.volume[i];
+        smallest = std::min(smallest, set.mass[i]);
+        largest = std::max(largest, set.mass[i]);
+        sum += set.mass[i];
     }
     if (largest - smallest <= alike * largest) return false;
-    volume_over_mean_.resize(set.size(), 1);
+    mass_over_mean_.resize(set.size(), 1);
     const double mean = sum / static_cast<double>(counts_[static_cast<std::size_t>(part)]);
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.part[i] == part) volume_over_mean_[i] = set.volume[i] / mean;
+        if (set.part[i] == part) mass_over_mean_[i] = set.mass[i] / mean;
     return true;
 }
 
@@ -146,12 +146,12 @@ Vec Driving::in_box(const Vec& x) const {
     return inside;
 }
 
-Vec Driving::by_position(int part, const Vec& position, double t, double volume) const {
+Vec Driving::by_position(int part, const Vec& position, double t, double share) const {
     const Vec x = in_box(position);
     Vec sum = Vec::Zero();
     for (const OnPart& force : forces_)
         if (force.part == part && !force.is_uniform() && !force.depends_on_initial_position)
-            sum += force.by_volume ? Vec(volume * force.at(t, x, x)) : force.at(t, x, x);
+            sum += force.by_mass ? Vec(share * force.at(t, x, x)) : force.at(t, x, x);
     for (const Shape& shape : shapes_) {
         if (shape.felt_by[static_cast<std::size_t>(part)] == 0 || !shape.window.acts(t)) continue;
         const FromShape found = from(shape, x, t);
@@ -160,11 +160,11 @@ Vec Driving::by_position(int part, const Vec& position, double t, double volume)
     return sum;
 }
 
-Vec Driving::by_initial_position(int part, const Vec& x, const Vec& at_start, double t, double volume) const {
+Vec Driving::by_initial_position(int part, const Vec& x, const Vec& at_start, double t, double share) const {
     Vec sum = Vec::Zero();
     for (const OnPart& force : forces_)
         if (force.part == part && force.depends_on_initial_position)
-            sum += (force.by_volume ? volume : 1) * force.at(t, in_box(x), in_box(at_start));
+            sum += (force.by_mass ? share : 1) * force.at(t, in_box(x), in_box(at_start));
     return sum;
 }
 
@@ -215,14 +215,14 @@ void Driving::add_by_position(ParticleGroup& group, const SpringBodies& springs,
         // Beyond a plane of symmetry the image is driven.
         Vec seen = x;
         for (int axis = 0; axis < group.dimension(); ++axis) seen[axis] = space_.mirrored_back(x[axis], axis);
-        const double volume =
-            volume_over_mean_.empty() ? 1 : volume_over_mean_.at(static_cast<std::size_t>(group.tags()[i].id));
-        Vec force = by_position(static_cast<int>(part), seen, t, volume);
+        const double share =
+            mass_over_mean_.empty() ? 1 : mass_over_mean_.at(static_cast<std::size_t>(group.tags()[i].id));
+        Vec force = by_position(static_cast<int>(part), seen, t, share);
         for (int axis = 0; axis < group.dimension(); ++axis)
             if (seen[axis] != x[axis]) force[axis] = -force[axis];
         // Solids do not change places with their images.
         if (group.kind() == PartKind::elastic)
-            force += by_initial_position(static_cast<int>(part), x, springs.rest_position(i), t, volume);
+            force += by_initial_position(static_cast<int>(part), x, springs.rest_position(i), t, share);
         if (force.isZero(0)) continue;
         for (int axis = 0; axis < group.dimension(); ++axis) {
             group.data(Field::force, axis)[i] += force[axis];

@@ -59,10 +59,10 @@ class Driving {
         std::array<Expression, 3> force;  ///< [N]
         PartForce law;
         ScheduleWindow window;
-        bool by_volume = false;  ///< each particle has its share of a total force (volume_over_mean_)
+        bool by_mass = false;  ///< each particle has its share of a total force (mass_over_mean_)
         bool depends_on_position = false, depends_on_initial_position = false;
         [[nodiscard]] bool is_uniform() const {
-            return !by_volume && !depends_on_position && !depends_on_initial_position;
+            return !by_mass && !depends_on_position && !depends_on_initial_position;
         }
         [[nodiscard]] Vec at(double t, const Vec& x, const Vec& at_start) const;
     };
@@ -75,15 +75,15 @@ class Driving {
         ScheduleWindow window;
     };
 
-    /// Whether a part's particles differ in volume; their volumes over the mean are then known.
-    bool share_by_volume(const ParticleSet& set, int part);
+    /// Whether a part's particles differ in mass; their masses over the mean are then known.
+    bool share_by_mass(const ParticleSet& set, int part);
     [[nodiscard]] FromShape from(const Shape& shape, const Vec& x, double t) const;
     /// The part of the force that is the same for any particle; what depends on it or its present place; what asks for
     /// the initial one.
     [[nodiscard]] Vec uniform(int part, double t) const;
-    /// `volume` of the particle over the mean of its part.
-    [[nodiscard]] Vec by_position(int part, const Vec& x, double t, double volume = 1) const;
-    [[nodiscard]] Vec by_initial_position(int part, const Vec& x, const Vec& at_start, double t, double volume) const;
+    /// `share`: mass of the particle over the mean of its part.
+    [[nodiscard]] Vec by_position(int part, const Vec& x, double t, double share = 1) const;
+    [[nodiscard]] Vec by_initial_position(int part, const Vec& x, const Vec& at_start, double t, double share) const;
     [[nodiscard]] bool is_uniform(int part) const;
     [[nodiscard]] Vec in_box(const Vec& x) const;
     void add_uniform(ParticleGroup& group, int part, const Vec& force, int threads) const;
@@ -94,8 +94,8 @@ class Driving {
     std::vector<Shape> shapes_;
     std::vector<double> lightest_;     ///< particle of each part that has any [kg]
     std::vector<std::size_t> counts_;  ///< particles of each part, of all ranks
-    /// By id, a particle's volume over the mean of its part; 1 where all are alike. Empty: no force asks for it.
-    std::vector<double> volume_over_mean_;
+    /// By id, a particle's mass over the mean of its part; 1 where all are alike. Empty: no force asks for it.
+    std::vector<double> mass_over_mean_;
     /// When forces were last added, of those that depend on place; all of them for particles kept elsewhere [m/s^2].
     double largest_acceleration_ = 0;
 };

@@ -10,6 +10,9 @@
 #include <limits>
 #include <numbers>
 
+#include "base/errors.hpp"
+#include "particles/whole_periods.hpp"
+
 namespace dmp::solver {
 
 namespace {
@@ -24,6 +27,11 @@ Eigen::Matrix3d turn_of(const Eigen::Matrix3d& covariance, int dimension) {
         return turn;
     }
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    // Of a bar one particle across what turns about its axis is not known: the least turn.
+    if (constexpr double one_line = 1e-9; svd.singularValues()[1] < one_line * svd.singularValues()[0]) {
+        const Vec before = svd.matrixV().col(0), now = svd.matrixU().col(0);
+        return Eigen::Quaterniond::FromTwoVectors(before, now).toRotationMatrix();
+    }
     const double side = (svd.matrixU() * svd.matrixV().transpose()).determinant();
     return svd.matrixU() * Eigen::Vector3d(1, 1, side < 0 ? -1 : 1).asDiagonal() * svd.matrixV().transpose();
 }
@@ -72,13 +80,31 @@ BodyMeasure::BodyMeasure(const Measure& measure, const SpringBodies& springs, in
     length_ = high - low;
 }
 
+void BodyMeasure::need_ends(const Measure& measure, const ParticleSet& set) {
+    const int part = set.part_named(*measure.part);
+    const auto is_of_it = [&](int particle) { return set.part[static_cast<std::size_t>(particle)] == part; };
+    const bool cells_go_on = std::ranges::any_of(
+        set.cells, [&](const SolidCell& cell) { return cell.periods != 0 && is_of_it(cell.particle); });
+    const bool bonds_go_on = std::ranges::any_of(set.bonds, [&](const Bond& bond) {
+        const Vec apart =
+            set.position[static_cast<std::size_t>(bond.b)] - set.position[static_cast<std::size_t>(bond.a)];
+        return is_of_it(bond.a) && is_of_it(bond.b) && !periods_to_nearest(apart, set).isZero(0);
+    });
+    if (cells_go_on || bonds_go_on)
+        throw InputError(measure.part.location,
+                         "measure '" + *measure.name + "': '" + *measure.part +
+                             "' goes on through a periodic side, and has no centre, length or angle as one body",
+                         "draw it inside the box; or measure the displacement of a point of it");
+}
+
 std::vector<double> BodyMeasure::values(double angle_before) const {
     std::vector<double> values;
     for (const Vec& vector : {centre_, velocity_})
         for (int axis = 0; axis < dimension_; ++axis) values.push_back(vector[axis]);
     if (dimension_ == 2) {
         const double angle = std::atan2(turn_(1, 0), turn_(0, 0)), whole = 2 * std::numbers::pi;
-        values.push_back(angle + whole * std::round((angle_before - angle) / whole));
+        const double before = std::isfinite(angle_before) ? angle_before : 0;  // a run that went on may have no row
+        values.push_back(angle + whole * std::round((before - angle) / whole));
     } else {
         values.push_back(Eigen::AngleAxisd(turn_).angle());
     }

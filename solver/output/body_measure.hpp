@@ -21,6 +21,9 @@ class BodyMeasure {
   public:
     BodyMeasure(const Measure& measure, const SpringBodies& springs, int dimension);
 
+    /// Throws InputError for a solid that goes on through a periodic side: it has no middle and no ends.
+    static void need_ends(const Measure& measure, const ParticleSet& set);
+
     /// Centre of mass and velocity, by component, angle, length, least and largest stretch. `angle_before`: in the row
     /// before [rad].
     [[nodiscard]] std::vector<double> values(double angle_before) const;

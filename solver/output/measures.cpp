@@ -106,6 +106,7 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
         if (*measure.kind == MeasureKind::mode) need_long_waves(measure, space_);
         if (*measure.kind == MeasureKind::gap) gaps_.try_emplace(&measure, measure, set);
         if (*measure.kind == MeasureKind::displacement) displacements_.try_emplace(&measure, measure, set);
+        if (*measure.kind == MeasureKind::body) BodyMeasure::need_ends(measure, set);
         for (const auto& [name, unit] : measure_columns(scene, measure)) {
             series_.names.push_back(name);
             series_.units.push_back(unit);

@@ -219,7 +219,7 @@ TEST(PlaneSolids, go_on_through_periodic_sides_and_where_they_do_not_it_is_said)
         cut.report.warnings,
         Contains(AllOf(HasSubstr("block: its springs end at the side of the box across x, which is periodic, near "
                                  "(62.5, 187.5) mm"),
-                       HasSubstr("model = \"cells\""))));
+                       HasSubstr("bonds_within: cells go on there"))));
 }
 
 TEST(PlaneSolids, end_at_planes_of_symmetry_and_it_is_said) {
@@ -227,7 +227,7 @@ TEST(PlaneSolids, end_at_planes_of_symmetry_and_it_is_said) {
     const auto meshed = mesh_texts(half.with("periodic = [\"x\"]", "symmetry = [\"x_low\", \"x_high\"]"));
     EXPECT_THAT(meshed.report.warnings,
                 Contains(AllOf(HasSubstr("block: its springs end at the side of the box across x, a plane of symmetry"),
-                               HasSubstr("model = \"cells\""))));
+                               HasSubstr("bonds_within: the nodes of cells stay on the plane"))));
 }
 
 }  // namespace

@@ -303,7 +303,7 @@ TEST(SpaceBodies, a_body_at_the_side_of_the_box_is_noted) {
         cut.report.warnings,
         Contains(AllOf(HasSubstr("body: its springs end at the side of the box across x, which is periodic, near "
                                  "(62.5, 187.5, 312.5) mm"),
-                       HasSubstr("model = \"cells\""))));
+                       HasSubstr("bonds_within: cells go on there"))));
 }
 
 }  // namespace

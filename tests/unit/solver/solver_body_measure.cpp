@@ -4,11 +4,12 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "solver/simulation.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/mesher/meshed_text.hpp"
+#include "tests/unit/thrown.hpp"
 
 namespace dmp::tests::solver_body_measure_tests {
 namespace {
@@ -48,8 +49,8 @@ Followed follow(const Texts& texts) {
 TEST(BodyMeasure, follows_a_stiff_body_through_many_turns) {
     for (const std::string model : {"cells", "springs"}) {
         constexpr double spin = 9;  // rad/s: nearly three turns in a second
-        const Followed bar =
-            follow(flying_bar(2, model, "1 GPa", "[\"0.5 m/s - 9 / (1 s) * (y - 0.125 m)\", \"9 / (1 s) * (x - 0.5 m)\"]"));
+        const Followed bar = follow(
+            flying_bar(2, model, "1 GPa", "[\"0.5 m/s - 9 / (1 s) * (y - 0.125 m)\", \"9 / (1 s) * (x - 0.5 m)\"]"));
         ASSERT_EQ(bar.series.names.size(), 8U);
         for (std::size_t row = 0; row < bar.series.rows.size(); ++row) {
             const double t = bar.series.time[row];
@@ -68,8 +69,9 @@ TEST(BodyMeasure, follows_a_stiff_body_through_many_turns) {
 TEST(BodyMeasure, sees_a_soft_body_stretch_as_its_particles_fly_apart) {
     for (const int dimension : {2, 3}) {
         const std::string third = dimension == 3 ? ", 0" : "";
-        const Followed bar = follow(flying_bar(
-            dimension, "cells", "1 uPa", "[\"0.2 / (1 s) * (x - 0.5 m)\", \"-0.1 / (1 s) * (y - 0.125 m)\"" + third + "]"));
+        const Followed bar =
+            follow(flying_bar(dimension, "cells", "1 uPa",
+                              "[\"0.2 / (1 s) * (x - 0.5 m)\", \"-0.1 / (1 s) * (y - 0.125 m)\"" + third + "]"));
         const std::size_t last = bar.series.rows.size() - 1;
         EXPECT_NEAR(bar.series.time[last], 1, 1e-9);
         EXPECT_NEAR(bar.at(last, "largest_stretch"), 1.2, 1e-6);
@@ -89,6 +91,15 @@ TEST(BodyMeasure, turns_in_space) {
     // Not an axis of inertia: it does not go on about this one, but begins so.
     EXPECT_NEAR(bar.at(1, "angle"), 0.05 * 1.5707963267948966, 1e-3);
     EXPECT_NEAR(bar.at(bar.series.rows.size() - 1, "largest_stretch"), 1, 1e-3);
+}
+
+TEST(BodyMeasure, of_a_solid_through_a_periodic_side_is_refused) {
+    for (const std::string model : {"cells", "springs"}) {
+        const Texts through = flying_bar(2, model, "1 kPa", "[0, 0]").with("[flow]", "[flow]\nperiodic = [\"x\"]");
+        EXPECT_THAT(text_thrown<InputError>([&] { follow(through); }),
+                    testing::HasSubstr("goes on through a periodic side"))
+            << model;
+    }
 }
 
 }  // namespace
