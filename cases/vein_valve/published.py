@@ -18,6 +18,7 @@ from vtk.util.numpy_support import vtk_to_numpy
 
 PERIOD = 4.0  # s
 DOMAIN = 0.092  # m, the period of the channel
+BESIDE = 0.8e-3  # m: blood nearer than that to a leaflet is beside it
 CLOSED = 0.6e-3  # m: a narrower gap counts as closed, as in README.md
 
 
@@ -68,22 +69,32 @@ def of_measures(run, start, end):
 
 def of_frames(run, start, end):
     """Stresses, displacements and residence times of a cycle, from its frames."""
-    stress, moved, tips = [], [], {}
+    stress, moved, leaflets = [], [], {}
     for time, solid in frames(run / "solid.pvd", start, end):
         stress.append(solid["von_mises"].max())
+        if stress[-1] == max(stress):  # from the root, 0, to the tip, 1, along the straight leaflet
+            x = (solid["position"] - solid["displacement"])[:, 0]
+            at_leaflet = (x[solid["von_mises"].argmax()] - x.min()) / (x.max() - x.min())
         moved.append(numpy.linalg.norm(solid["displacement"], axis=1))
-        tips[round(time, 6)] = solid["position"][:, 0].max()
+        leaflets[round(time, 6)] = solid["position"]
     moved = numpy.array(moved)
-    shear, opening, sinus, total = [], [], [], []
+    shear, opening, sinus, total, beside, away = [], [], [], [], [], []
     inside = None
     for time, fluid in frames(run / "fluid.pvd", start, end):
         position, here = fluid["position"], in_sinus(fluid["position"])
         stay = fluid["residence_time_upper_sinus"] + fluid["residence_time_lower_sinus"]
-        between = (numpy.abs(position[:, 0] - tips[round(time, 6)]) < 0.002) & (numpy.abs(position[:, 1]) < 0.004)
+        leaflet = leaflets[round(time, 6)]
+        between = (numpy.abs(position[:, 0] - leaflet[:, 0].max()) < 0.002) & (numpy.abs(position[:, 1]) < 0.004)
         opening.append(fluid["shear_stress"][between].max())
         sinus.append(fluid["shear_stress"][here].max())
         total.append(fluid["von_mises"][here].max())
         shear.append(fluid["shear_stress"].max())
+        if shear[-1] == max(shear):
+            at = 1e3 * position[fluid["shear_stress"].argmax()]
+        chamber = numpy.abs(position[:, 0]) < 0.02
+        distance = numpy.linalg.norm(position[chamber][:, None, :2] - leaflet[None, :, :2], axis=2).min(axis=1)
+        beside.append(fluid["von_mises"][chamber][distance < BESIDE].mean())
+        away.append(fluid["von_mises"][chamber][distance >= BESIDE].mean())
         if inside is None:
             inside, before, way, stay_0 = here, position, numpy.zeros_like(position), stay
             ways = []
@@ -95,7 +106,9 @@ def of_frames(run, start, end):
     stays = (stay - stay_0)[inside]
     return {"shear_opening [Pa]": max(opening), "shear_sinus [Pa]": max(sinus),
             "mean_shear_opening [Pa]": numpy.mean(opening), "mean_shear_sinus [Pa]": numpy.mean(sinus),
-            "shear_anywhere [Pa]": max(shear), "total_sinus [Pa]": max(total), "total_leaflets [Pa]": max(stress),
+            "shear_anywhere [Pa]": max(shear), "shear_at_x [mm]": at[0], "shear_at_y [mm]": at[1],
+            "mean_total_beside [Pa]": numpy.mean(beside), "mean_total_away [Pa]": numpy.mean(away),
+            "leaflets_at": at_leaflet, "total_sinus [Pa]": max(total), "total_leaflets [Pa]": max(stress),
             "leaflet_displacement [mm]": 1e3 * moved.mean(), "tip_displacement [mm]": 1e3 * moved.mean(axis=0).max(),
             "sinus_displacement [mm]": 1e3 * ways.mean(), "median_sinus_displacement [mm]": 1e3 * numpy.median(ways),
             "residence [s]": stays.mean(), "never_left": (stays > 0.98 * (end - start)).mean()}
