@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws published.png of the table of published.py, see PUBLISHED.md: python3 published_plot.py TABLE PICTURE [FINER_TABLE]."""
+"""Draws published.png of the table of published.py, see PUBLISHED.md: python3 published_plot.py TABLE PICTURE [COARSER_TABLE]."""
 
 import collections
 import csv
@@ -42,13 +42,13 @@ def draw(axes, runs, chosen, name, line, label=None):
 def main():
     """Draws the picture."""
     runs = read(sys.argv[1])
-    finer = read(sys.argv[3]) if len(sys.argv) > 3 else {}
+    coarser = read(sys.argv[3]) if len(sys.argv) > 3 else {}
     figure, axes = pyplot.subplots(2, len(PANELS), figsize=(13, 6), layout="constrained")
     for column, (name, text) in enumerate(PANELS):
         for length, word in WORDS.items():
             draw(axes[0, column], runs, [(v, (length, v, 3e-6)) for v in (0.03, 0.07, 0.13)], name, "o-", word)
         draw(axes[1, column], runs, [(k_a, (25.6, 0.07, ei)) for ei, k_a in K_A.items()], name, "o-", "0.4 mm")
-        draw(axes[1, column], finer, [(k_a, (25.6, 0.07, ei)) for ei, k_a in K_A.items()], name, "s", "0.28 mm")
+        draw(axes[1, column], coarser, [(k_a, (25.6, 0.07, ei)) for ei, k_a in K_A.items()], name, "s", "0.56 mm")
         axes[0, column].set(xlabel="inlet velocity [m/s]", ylabel=text)
         axes[1, column].set(xlabel="$k_a$ [J]", ylabel=text, xscale="log")
         for row in axes:
