@@ -117,7 +117,7 @@ def of_frames(run, start, end):
 def main():
     """Writes the table."""
     study, table = pathlib.Path(sys.argv[1]), sys.argv[2]
-    last = int(sys.argv[3]) if len(sys.argv) > 3 else 4
+    last = int(sys.argv[3]) if len(sys.argv) > 3 else 2
     with open(study / "results.csv", encoding="utf-8") as file:
         runs = [row for row in csv.DictReader(file) if row["exit_code"] == "0"]
     writer = None
