@@ -45,7 +45,7 @@ class Parser {
     explicit Parser(const std::string& program) : program_(program), app_("", program) {
         app_.description(
             "dmp turns a geometry and one scene file into particles, runs Discrete Multi-Physics on them\n"
-            "(SPH fluid, mass-spring solids) and leaves ParaView files, tables and pictures.");
+            "(SPH fluid, elastic solids) and leaves ParaView files, tables and pictures.");
         app_.footer(examples(program, {"run cases/vein_valve", "run cases/vein_valve --dry-run",
                                        "run cases/vein_valve --until \"0.5 s\" --set particles.spacing=\"0.4 mm\"",
                                        "explain particles.spacing"}) +

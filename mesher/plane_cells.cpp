@@ -12,6 +12,7 @@
 #include "mesher/particle_builder.hpp"
 #include "mesher/region_on_boxes.hpp"
 #include "mesher/relax.hpp"
+#include "mesher/slits.hpp"
 #include "mesher/turned_lattice.hpp"
 
 namespace dmp::mesher {
@@ -178,6 +179,11 @@ void ParticleBuilder::claim_cells(SpringSolid& solid, const Region& region) {
     const auto [turn, boxes, text] = lattice_in_plane(result_.particles, lattice_step(), region, anchor);
     const Region along = turn.of(region);
     SolidCells cells = RegionOnBoxes(along, boxes).cells();
+    if (const auto slit = closed_slit(along, boxes, cells))
+        result_.report.warnings.push_back(
+            part.name.value + ": a cell near " + position_text(turn.back(*slit), 2) +
+            " closes a slit that is drawn there, as it has the solid on both sides of it; "
+            "take a particles.spacing of less than the slit's width");
     if (anchor != nullptr) {
         const Region behind = behind_anchor(along, turn.of(*anchor), spacing_);
         fill_up(RegionOnBoxes(behind, boxes), boxes, cells);

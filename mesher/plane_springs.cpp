@@ -159,7 +159,8 @@ void ParticleBuilder::add_elastic(const Part& part) {
         // In tension the part is so many times as soft, or as stiff.
         const double ratio = line.axial_stiffness / line.axial_stiffness_asked;
         text << part.name.value << ": EA " << (lowered ? "lowered" : "raised") << " from " << line.axial_stiffness_asked
-             << " to " << line.axial_stiffness << " N, " << number_text(100 * ratio, 3) << " % of that, so that two rows " << spacing_ << " m apart can "
+             << " to " << line.axial_stiffness << " N, " << number_text(100 * ratio, 3)
+             << " % of that, so that two rows " << spacing_ << " m apart can "
              << (part.shear_stiffness.given() ? "hold GA"
                  : lowered                    ? "bend as softly as EI asks"
                                               : "resist shear by cross bonds")

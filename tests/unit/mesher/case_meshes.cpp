@@ -184,7 +184,8 @@ TEST(VeinValveMesh, BendsAlikeAtEverySpacing) {
         EXPECT_NEAR(line.axial_stiffness / (spacing == "0.4" ? 37.5 : 100), 1, 1e-12) << spacing;
         EXPECT_EQ(line.axial_stiffness_asked, 100);
         const std::string note =
-            "leaflets: EA lowered from 100 to 37.5 N, 37.5 % of that, so that two rows 0.0004 m apart can bend as softly as EI asks; "
+            "leaflets: EA lowered from 100 to 37.5 N, 37.5 % of that, so that two rows 0.0004 m apart can bend as "
+            "softly as EI asks; "
             "EI "
             "is held";
         if (spacing == "0.4") {

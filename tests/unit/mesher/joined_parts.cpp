@@ -19,8 +19,9 @@ constexpr double spacing = 0.125;
 
 std::string block_part(const std::string& name, const std::string& modulus) {
     return "[[part]]\nname = \"" + name +
-           "\"\nkind = \"elastic\"\nmodel = \"springs\"\ndensity = \"1200 kg/m^3\"\npoisson_ratio = 0.25\nyoungs_modulus = \"" + modulus +
-           "\"\n";
+           "\"\nkind = \"elastic\"\nmodel = \"springs\"\ndensity = \"1200 kg/m^3\"\npoisson_ratio = "
+           "0.25\nyoungs_modulus = \"" +
+           modulus + "\"\n";
 }
 
 /// A block of 0.5 m x 1 m that stands on the channel's bottom from x on; points and lines from `first` on.

@@ -1,7 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,6 +56,21 @@ struct Texts {
         throw std::logic_error("the test's texts have no " + found);
     }
 };
+
+/// A polygon with these corners [m], which makes the area `name`; its side n goes from corner n to the next one and is
+/// Gmsh's curve n, from 1 on.
+inline std::string polygon(const std::vector<std::array<double, 2>>& corners, const std::string& name) {
+    std::ostringstream points, lines, loop;
+    points.precision(17);
+    for (std::size_t n = 0; n < corners.size(); ++n) {
+        const std::size_t number = n + 1;
+        points << "Point(" << number << ") = {" << corners[n][0] << ", " << corners[n][1] << ", 0};\n";
+        lines << "Line(" << number << ") = {" << number << ", " << number % corners.size() + 1 << "};\n";
+        loop << (n > 0 ? ", " : "") << number;
+    }
+    return points.str() + lines.str() + "Curve Loop(1) = {" + loop.str() +
+           "};\nPlane Surface(1) = {1};\nPhysical Surface(\"" + name + "\") = {1};\n";
+}
 
 /// A channel of 4 m x 2 m between two walls, periodic along x. Its lattice of 1/8 m is exact in binary.
 inline const Texts channel{R"(schema = 1

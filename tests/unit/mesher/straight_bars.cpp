@@ -12,6 +12,7 @@
 namespace dmp::tests::straight_bars_tests {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -38,19 +39,6 @@ every = "1 s"
             geometry};
 }
 
-std::string polygon(const std::vector<std::array<double, 2>>& corners) {
-    std::string points, lines, loop;
-    for (std::size_t n = 0; n < corners.size(); ++n) {
-        const std::string number = std::to_string(n + 1);
-        points += "Point(" + number + ") = {" + std::to_string(corners[n][0]) + ", " + std::to_string(corners[n][1]) +
-                  ", 0};\n";
-        lines += "Line(" + number + ") = {" + number + ", " + std::to_string((n + 1) % corners.size() + 1) + "};\n";
-        loop += (n > 0 ? ", " : "") + number;
-    }
-    return points + lines + "Curve Loop(1) = {" + loop +
-           "};\nPlane Surface(1) = {1};\nPhysical Surface(\"bar\") = {1};\n";
-}
-
 TEST(StraightBars, moments_of_outlines_and_surfaces_are_those_of_their_shapes) {
     // A triangle with its right angle at (1, 2): legs 3 and 6, seen clockwise.
     const Polyline triangle{{Vec(1, 2, 0), Vec(1, 8, 0), Vec(4, 2, 0)}, true};
@@ -72,7 +60,7 @@ Physical Volume("bar") = {1};
 }
 
 TEST(StraightBars, along_the_lattice_have_the_stiffness_of_what_is_drawn) {
-    const auto report = mesh_texts(solid(polygon({{0, 0}, {1, 0}, {1, 0.25}, {0, 0.25}}))).report;
+    const auto report = mesh_texts(solid(polygon({{0, 0}, {1, 0}, {1, 0.25}, {0, 0.25}}, "bar"))).report;
     const auto& bar = report.springs.at(0).bar;
     ASSERT_TRUE(bar);
     const double held = 1e6 / (1 - 0.0625);
@@ -88,7 +76,8 @@ TEST(StraightBars, along_the_lattice_have_the_stiffness_of_what_is_drawn) {
 
 TEST(StraightBars, at_an_angle_lose_little) {
     const auto report =
-        mesh_texts(solid(polygon({{0.3, 0.1}, {1.239693, 0.442020}, {1.154186, 0.676943}, {0.214493, 0.334923}})))
+        mesh_texts(
+            solid(polygon({{0.3, 0.1}, {1.239693, 0.442020}, {1.154186, 0.676943}, {0.214493, 0.334923}}, "bar")))
             .report;
     const auto& bar = report.springs.at(0).bar;
     ASSERT_TRUE(bar);
@@ -116,7 +105,24 @@ TEST(StraightBars, are_not_found_in_other_shapes) {
     for (const auto& corners : {std::vector<std::array<double, 2>>{{0, 0}, {1, 0}, {1, 0.5}, {0, 0.5}},
                                 {{0, 0}, {1, 0}, {1, 1}, {0.75, 1}, {0.75, 0.25}, {0, 0.25}},
                                 {{0, 0}, {2, 0}, {2, 0.125}, {0, 0.5}}})
-        EXPECT_THAT(mesh_texts(solid(polygon(corners))).report.text(), Not(HasSubstr("straight bar")));
+        EXPECT_THAT(mesh_texts(solid(polygon(corners, "bar"))).report.text(), Not(HasSubstr("straight bar")));
+}
+
+/// A bar of 1 m x 0.25 m with a slit from its end on, from y to y + width.
+Texts slit_bar(double y, double width) {
+    return solid(
+        polygon({{0, 0}, {1, 0}, {1, y}, {0.25, y}, {0.25, y + width}, {1, y + width}, {1, 0.25}, {0, 0.25}}, "bar"));
+}
+
+TEST(Slits, inside_a_cell_are_warned_of_with_their_place) {
+    const auto warnings = [](double y, double width) { return mesh_texts(slit_bar(y, width)).report.warnings; };
+    EXPECT_THAT(warnings(0.09, 0.01),
+                Contains(testing::AllOf(HasSubstr("bar: a cell near (281.25, 93.75) mm closes a slit"),
+                                        HasSubstr("particles.spacing"))));
+    EXPECT_THAT(warnings(0.12, 0.01), Not(Contains(HasSubstr("slit")))) << "between two rows of cells";
+    EXPECT_THAT(warnings(0.09, 0.07), Not(Contains(HasSubstr("slit")))) << "wider than a spacing";
+    const Texts slanting = solid(polygon({{0.3, 0.1}, {1.2, 0.4}, {1.1, 0.7}, {0.2, 0.35}}, "bar"));
+    EXPECT_THAT(mesh_texts(slanting).report.warnings, Not(Contains(HasSubstr("slit"))));
 }
 
 }  // namespace

@@ -45,18 +45,7 @@ duration = "1 s"
 [output]
 every = "1 s"
 )",
-            R"(Point(1) = {0, 0, 0};
-Point(2) = {4, 0, 0};
-Point(3) = {4, 0.25, 0};
-Point(4) = {0, 0.25, 0};
-Line(1) = {1, 2};
-Line(2) = {2, 3};
-Line(3) = {3, 4};
-Line(4) = {4, 1};
-Curve Loop(1) = {1, 2, 3, 4};
-Plane Surface(1) = {1};
-Physical Surface("beam") = {1};
-Physical Curve("clamp") = {4};
+            polygon({{0, 0}, {4, 0}, {4, 0.25}, {0, 0.25}}, "beam") + R"(Physical Curve("clamp") = {4};
 )"};
 }
 

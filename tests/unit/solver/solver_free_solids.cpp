@@ -17,33 +17,15 @@ namespace {
 using ::testing::HasSubstr;
 
 /// A bar of 1 m x 0.3125 m at an angle to the lattice, which cuts cells of many sizes.
-const std::string slanting = R"(Point(1) = {0.3, 0.1, 0};
-Point(2) = {1.239692620785908, 0.442020143325669, 0};
-Point(3) = {1.132811325863918, 0.735674087195015, 0};
-Point(4) = {0.193118705078010, 0.393653943869346, 0};
-Line(1) = {1, 2};
-Line(2) = {2, 3};
-Line(3) = {3, 4};
-Line(4) = {4, 1};
-Curve Loop(1) = {1, 2, 3, 4};
-Plane Surface(1) = {1};
-Physical Surface("bar") = {1};
-)";
+const std::string slanting = polygon({{0.3, 0.1},
+                                      {1.239692620785908, 0.442020143325669},
+                                      {1.132811325863918, 0.735674087195015},
+                                      {0.193118705078010, 0.393653943869346}},
+                                     "bar");
 constexpr double area = 0.3125;
 
 /// One of 1 m x 0.25 m on the lattice.
-const std::string straight = R"(Point(1) = {0, 0, 0};
-Point(2) = {1, 0, 0};
-Point(3) = {1, 0.25, 0};
-Point(4) = {0, 0.25, 0};
-Line(1) = {1, 2};
-Line(2) = {2, 3};
-Line(3) = {3, 4};
-Line(4) = {4, 1};
-Curve Loop(1) = {1, 2, 3, 4};
-Plane Surface(1) = {1};
-Physical Surface("bar") = {1};
-)";
+const std::string straight = polygon({{0, 0}, {1, 0}, {1, 0.25}, {0, 0.25}}, "bar");
 
 Texts free_bar(const std::string& geometry, const std::string& more) {
     return {R"(schema = 1

@@ -134,18 +134,7 @@ mass_damping = "20 1/s"
 )";
 
 TEST(PeriodicSprings, an_area_stretches_under_a_wave_as_a_bar_without_ends) {
-    const std::string area = R"(Point(1) = {0, 0, 0};
-Point(2) = {4, 0, 0};
-Point(3) = {4, 0.25, 0};
-Point(4) = {0, 0.25, 0};
-Line(1) = {1, 2};
-Line(2) = {2, 3};
-Line(3) = {3, 4};
-Line(4) = {4, 1};
-Curve Loop(1) = {1, 2, 3, 4};
-Plane Surface(1) = {1};
-Physical Surface("body") = {1};
-)";
+    const std::string area = polygon({{0, 0}, {4, 0}, {4, 0.25}, {0, 0.25}}, "body");
     const Wave wave = wave_of(loaded(material, area, 0, "periodic = [\"x\"]\n[run]\nduration = \"5 s\"\n"), 0);
     EXPECT_EQ(wave.count, 2U * 32);
     const double stiffness = 2000 / (1 - 1.0 / 16) * 0.25, load = 2 * per_particle / 0.125;
