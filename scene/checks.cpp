@@ -9,7 +9,7 @@
 #include "base/nearest_name.hpp"
 #include "scene/driving_keys.hpp"
 #include "scene/join_keys.hpp"
-#include "scene/measure_subject.hpp"
+#include "scene/measure_checks.hpp"
 #include "scene/numerics_checks.hpp"
 #include "scene/quantity.hpp"
 #include "scene/reference_checks.hpp"
@@ -221,85 +221,6 @@ void need_start_without_time(const Scene& scene) {
     need("flow.initial_pressure", scene.flow.initial_pressure, scene.flow.initial_pressure.location);
 }
 
-void need_plane_point(const Value<Vec>& point) {
-    if ((*point)[2] == 0) return;
-    throw InputError(point.location, "the third coordinate of a point in a 2-D scene is not 0",
-                     "leave it out, or write 0");
-}
-
-void check_region(const Scene& scene, const ResidenceRegion& region) {
-    for (const auto* point : {&region.from, &region.to}) {
-        if (scene.dimension == 2) need_plane_point(*point);
-    }
-    for (int axis = 0; axis < scene.dimension; ++axis) {
-        if ((*region.from)[axis] != (*region.to)[axis]) continue;
-        throw InputError(region.to.location,
-                         "the corners of region '" + *region.name + "' have the same " + "xyz"[axis] +
-                             ": there is nothing between them",
-                         "give two opposite corners of a box");
-    }
-}
-
-/// Residence times need a region.
-void need_regions(const Scene& scene, const TomlNode& document) {
-    const bool pictured = *scene.output.picture_field == FluidField::residence_time;
-    if (pictured && scene.regions.size() > 1) {
-        throw InputError(first_known(scene, {&scene.output.picture_field.location}),
-                         "output.picture_field = \"residence_time\": there are several regions, each with its own "
-                         "field",
-                         "keep only one [[region]], or choose another field");
-    }
-    if (!scene.regions.empty() || !(pictured || scene.asks_for(FluidField::residence_time))) return;
-    const SourceLocation* of_probe = nullptr;
-    for (const Measure& measure : scene.measures) {
-        if (reads_a_field(measure.kind) && *measure.field == FluidField::residence_time)
-            of_probe = &measure.field.location;
-    }
-    throw InputError(
-        first_known(scene, {of_probe, document.location_of("output.fields"), &scene.output.picture_field.location}),
-        "'residence_time' needs a region, and the scene has none",
-        "add a [[region]] with a name and the corners from and to");
-}
-
-/// A mode repeats with the periodic axes.
-void check_waves(const Scene& scene, const Measure& measure) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if ((*measure.waves)[axis] != 0 && !*scene.flow.periodic[axis])
-            throw InputError(
-                measure.waves.location,
-                "measure '" + *measure.name + "' has waves along " + "xyz"[axis] + ", which is not periodic",
-                std::string("write 0 there, or add \"") + "xyz"[axis] + "\" to flow.periodic");
-}
-
-void check_measure(const Scene& scene, const Measure& measure) {
-    for (const auto* point : {&measure.from, &measure.to, &measure.point}) {
-        if (scene.dimension == 2) need_plane_point(*point);
-    }
-    if ((*measure.kind == MeasureKind::flux || *measure.kind == MeasureKind::line) && *measure.from == *measure.to) {
-        throw InputError(measure.to.location,
-                         "the line of measure '" + *measure.name + "' starts and ends at the same point",
-                         "give two different points");
-    }
-    if (*measure.kind == MeasureKind::mode) check_waves(scene, measure);
-    check_sphere_measure(scene, measure);
-    if (*measure.kind == MeasureKind::aggregate) need_solid(scene, measure.part, "measure", *measure.name);
-    if (!is_of_elastic_part(measure.kind)) return;
-    std::vector<std::string> springs;
-    for (const auto& part : scene.parts) {
-        if (*part.kind == PartKind::elastic) springs.push_back(part.name);
-    }
-    if (std::find(springs.begin(), springs.end(), *measure.part) != springs.end()) return;
-    const auto nearest = nearest_name(*measure.part, springs);
-    const Part* other = scene.part_named(measure.part);
-    const std::string what = other == nullptr ? "the scene has no part '" + *measure.part + "'"
-                                              : "part '" + *measure.part + "' is of kind '" + to_string(*other->kind) +
-                                                    "', expected 'elastic'";
-    throw InputError(measure.part.location, what,
-                     nearest.empty() ? to_string(*measure.kind) + " is measured of elastic solids; the scene has " +
-                                           quoted_list(springs)
-                                     : "did you mean '" + nearest + "'?");
-}
-
 /// A selection of faces, in 2-D of curves, needs at least one criterion.
 void check_selection(const Scene& scene, const Selection& selection) {
     const std::string name = "selection '" + *selection.name + "'";
@@ -359,12 +280,11 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     check_walls(scene);
     check_symmetry(scene);
     check_pressure_gradient(scene, document);
-    need_regions(scene, document);
+    check_regions(scene, document);
     check_species(scene);
-    for (const auto& region : scene.regions) check_region(scene, region);
     check_elastic(scene);
     check_joins(scene);
-    for (const auto& measure : scene.measures) check_measure(scene, measure);
+    check_measures(scene);
     check_references(scene);
     check_solidify(scene);
 }

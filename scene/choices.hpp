@@ -67,7 +67,9 @@ enum class MeasureKind {
     aggregate,
     uptake,
     displacement,
-    body
+    body,
+    field,       // of the fluid, in a region
+    solid_field  // of an elastic solid
 };
 enum class FluidField {
     velocity,
@@ -94,7 +96,8 @@ enum class SolidField {
     strain,
     force,
     surface_stress,
-    principal_stretches
+    principal_stretches,
+    traction
 };
 
 }  // namespace dmp::scene
@@ -148,7 +151,7 @@ inline constexpr auto enum_names<scene::MeasureKind> = std::to_array<std::string
     {"flux",     "gap",    "largest_speed",      "density",  "kinetic_energy", "probe",     "line",
      "mode",     "amount", "mean_concentration", "profile",  "spread",         "wall_flux", "peclet",
      "velocity", "spin",   "wall_force",         "detached", "aggregate",      "uptake",    "displacement",
-     "body"});
+     "body",     "field",  "solid_field"});
 template <>
 inline constexpr auto enum_names<scene::SolidifyRule> = std::to_array<std::string_view>({"per_pair", "per_candidate",
                                                                                          "mutually_closest"});
@@ -161,6 +164,6 @@ inline constexpr auto enum_names<scene::FluidField> =
 template <>
 inline constexpr auto enum_names<scene::SolidField> =
     std::to_array<std::string_view>({"velocity", "displacement", "mean_displacement", "stress", "von_mises", "strain",
-                                     "force", "surface_stress", "principal_stretches"});
+                                     "force", "surface_stress", "principal_stretches", "traction"});
 
 }  // namespace dmp

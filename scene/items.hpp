@@ -82,12 +82,14 @@ struct Species {
 struct Measure {
     Value<std::string> name;
     Value<MeasureKind> kind;
-    Value<Vec> from{Vec::Zero()};                    ///< flux, line: the line's start [m]
-    Value<Vec> to{Vec::Zero()};                      ///< flux, line: the line's end [m]
-    Value<Vec> point{Vec::Zero()};                   ///< probe: its position [m]
-    Value<FluidField> field = FluidField::velocity;  ///< probe, line, mode: field to measure
-    Value<int> points = 20;                          ///< line: number of points along it, its ends among them
-    Value<std::array<int, 3>> waves;                 ///< mode: number of waves in the period along each axis
+    Value<Vec> from{Vec::Zero()};                              ///< flux, line: the line's start [m]
+    Value<Vec> to{Vec::Zero()};                                ///< flux, line: the line's end [m]
+    Value<Vec> point{Vec::Zero()};                             ///< probe: its position [m]
+    Value<FluidField> field = FluidField::velocity;            ///< probe, line, mode, field: field to measure
+    Value<SolidField> solid_field = SolidField::displacement;  ///< solid_field: field to measure
+    Value<std::string> region;                                 ///< field: name of a region; not given: all of the fluid
+    Value<int> points = 20;                                    ///< line: number of points along it, its ends among them
+    Value<std::array<int, 3>> waves;                           ///< mode: number of waves in the period along each axis
     Value<std::string> part;  ///< gap: elastic solid; wall_flux: rigid or elastic part; uptake: what takes up, empty:
                               ///< all; velocity, spin, detached: spheres; aggregate: [[solidify]] or elastic solid
     Value<std::string> species;          ///< measures of species: its name; empty: the only one

@@ -72,6 +72,40 @@ const Species& species_of(const Scene& scene, const Measure& measure) {
     return scene.species[scene.species_of(measure)];
 }
 
+std::string fluid_field_unit(const Scene& scene, const Measure& measure) {
+    return *measure.field == FluidField::concentration ? species_of(scene, measure).concentration_unit()
+                                                       : field_unit(scene, measure.field, 0);
+}
+
+std::string unit_of(SolidField field) {
+    switch (field) {
+        case SolidField::velocity:
+            return "m/s";
+        case SolidField::displacement:
+        case SolidField::mean_displacement:
+            return "m";
+        case SolidField::stress:
+        case SolidField::von_mises:
+        case SolidField::surface_stress:
+        case SolidField::traction:
+            return "Pa";
+        case SolidField::force:
+            return "N";
+        case SolidField::strain:
+        case SolidField::principal_stretches:
+            return "1";
+    }
+    unlisted_value(field);
+}
+
+/// Of a field in a region or a solid, with the place of the highest value.
+Columns mean_and_extremes(const Scene& scene, const std::string& name, const std::string& unit) {
+    Columns columns{{name + "_mean", unit}, {name + "_low", unit}, {name + "_high", unit}};
+    for (const std::size_t c : probed_components(3, *scene.dimension))
+        columns.push_back({name + "_high_" + std::string(vector_components.at(c)), "m"});
+    return columns;
+}
+
 /// What was taken by now, over time and in all.
 Columns rate_and_total(const Scene& scene, const Measure& measure) {
     const std::string &name = measure.name, unit = species_of(scene, measure).amount_unit();
@@ -157,6 +191,10 @@ std::vector<MeasureColumn> measure_columns(const Scene& scene, const Measure& me
             columns.push_back({name + "_least_stretch", "1"});
             columns.push_back({name + "_largest_stretch", "1"});
             return columns;
+        case MeasureKind::field:
+            return mean_and_extremes(scene, name, fluid_field_unit(scene, measure));
+        case MeasureKind::solid_field:
+            return mean_and_extremes(scene, name, unit_of(*measure.solid_field));
         case MeasureKind::velocity:
             return three(name, "m/s");
         case MeasureKind::spin:

@@ -57,26 +57,34 @@ std::vector<Key<ResidenceRegion>> region_keys() {
 }
 
 std::vector<Key<Measure>> measure_keys() {
-    const Kinds all, lines = {"flux", "line"}, fields = {"probe", "line", "mode"}, probe = {"probe"}, line = {"line"};
+    const Kinds all, lines = {"flux", "line"}, fields = {"probe", "line", "mode", "field"}, probe = {"probe"}, line = {"line"};
     const Kinds of_part = {"gap", "velocity", "spin", "detached"};
     const Kinds detached = {"detached"}, wall_flux = {"wall_flux"}, aggregate = {"aggregate"}, displacement = {"displacement"}, body = {"body"};
+    const Kinds field = {"field"}, solid_field = {"solid_field"};
     const Kinds boxes = {"mean_concentration", "profile", "spread"}, along = {"profile", "spread"};
-    const Kinds of_species = measures_of(MeasureSubject::species);
+    Kinds of_species = measures_of(MeasureSubject::species);
+    of_species.emplace_back("field");
     return {
         {"name", all, &Measure::name, name(), required, "The measure's column in measures.csv."},
         {"kind", all, &Measure::kind, one_of<MeasureKind>(), required,
          "Quantity to measure: flux through a line, gap between the pieces of a part, largest speed, density, "
-         "kinetic energy, field at a probe, along a line or its Fourier mode; of a species its amount, mean concentration, profile, "
-         "spread, flux into a wall, uptake, Peclet number; of spheres their velocity, spin, force on the walls, number "
+         "kinetic energy, field at a probe, along a line, its Fourier mode, or its mean and extremes in a region; of a species "
+         "its amount, mean concentration, profile, spread, flux into a wall, uptake, Peclet number; of spheres their velocity, spin, force on the walls, number "
          "detached from a sphere; size, pieces and bonds of an aggregate; displacement of an elastic solid; its place, speed, angle, "
-         "length and stretches as a body."},
+         "length and stretches as a body; mean and extremes of its fields."},
         {"from", lines, &Measure::from, point(), required, "Start of the line."},
         {"to", lines, &Measure::to, point(), required, "End of the line."},
         {"points", line, &Measure::points, integer(Range{2, 1000, false, {}}), "20",
          "Number of points along the line, evenly spaced from its start to its end; the field at each is a column."},
         {"point", probe, &Measure::point, point(), required, "Position of the probe."},
         {"field", fields, &Measure::field, one_of<FluidField>(), "velocity",
-         "Field that the probe, line or mode measures."},
+         "Field to measure. field: vectors by their magnitude, no tensors."},
+        {"region", field, &Measure::region, name(), not_given,
+         "The [[region]] in which the fluid is measured, also whose residence_time; all of the fluid by default. The columns are "
+         "NAME_mean (by volume), NAME_low, NAME_high, and NAME_high_x, NAME_high_y, where the highest is."},
+        {"field", solid_field, &Measure::solid_field, one_of<SolidField>(), "displacement",
+         "Field to measure, vectors by their magnitude: velocity, displacement, von_mises, surface_stress or traction of its "
+         "particles, strain or force of its bonds. Columns as of kind field."},
         {"waves", {"mode"}, &Measure::waves, wave_numbers(), required,
          "Number n of waves in the period along x, y and z, 0 along axes that are not periodic. The columns NAME_cos and "
          "NAME_sin are the factors of cos and sin(2 pi n . (x - x_0) / L) in the field, x_0 the low corner of the period."},
@@ -115,6 +123,7 @@ std::vector<Key<Measure>> measure_keys() {
         {"part", body, &Measure::part, name(), required,
          "Elastic solid whose centre of mass, velocity, angle, length, and least and largest stretch are measured, as of one body "
          "(docs/results.md)."},
+        {"part", solid_field, &Measure::part, name(), required, "Elastic solid whose field is measured."},
         {"point", displacement, &Measure::point, point(), not_given,
          "Initial position of the particle whose displacement is measured: the nearest one is taken."},
     };

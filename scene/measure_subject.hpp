@@ -26,11 +26,13 @@ constexpr MeasureSubject subject_of(MeasureKind kind) {
         case MeasureKind::probe:
         case MeasureKind::line:
         case MeasureKind::mode:
+        case MeasureKind::field:
             return MeasureSubject::flow;
         case MeasureKind::gap:
         case MeasureKind::aggregate:
         case MeasureKind::displacement:
         case MeasureKind::body:
+        case MeasureKind::solid_field:
             return MeasureSubject::solids;
         case MeasureKind::amount:
         case MeasureKind::mean_concentration:
@@ -51,12 +53,14 @@ constexpr MeasureSubject subject_of(MeasureKind kind) {
 
 /// Whether a measure reads a field of the fluid.
 constexpr bool reads_a_field(MeasureKind kind) {
-    return kind == MeasureKind::probe || kind == MeasureKind::line || kind == MeasureKind::mode;
+    return kind == MeasureKind::probe || kind == MeasureKind::line || kind == MeasureKind::mode ||
+           kind == MeasureKind::field;
 }
 
 /// Whether a measure is of an elastic part alone.
 constexpr bool is_of_elastic_part(MeasureKind kind) {
-    return kind == MeasureKind::gap || kind == MeasureKind::displacement || kind == MeasureKind::body;
+    return kind == MeasureKind::gap || kind == MeasureKind::displacement || kind == MeasureKind::body ||
+           kind == MeasureKind::solid_field;
 }
 
 /// Whether a measure is of a species. A probe of concentrations is of the fluid.

@@ -125,7 +125,11 @@ bool Scene::asks_for(FluidField field) const {
 }
 
 bool Scene::asks_for(SolidField field) const {
-    return std::find(output.solid_fields.begin(), output.solid_fields.end(), field) != output.solid_fields.end();
+    const auto measures_it = [&](const Measure& measure) {
+        return *measure.kind == MeasureKind::solid_field && *measure.solid_field == field;
+    };
+    return std::ranges::find(output.solid_fields, field) != output.solid_fields.end() ||
+           std::ranges::any_of(measures, measures_it);
 }
 
 }  // namespace dmp::scene

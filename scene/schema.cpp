@@ -343,7 +343,7 @@ std::vector<Key<Output>> output_keys() {
         {"solid_fields", &Output::solid_fields, list_of<SolidField>(),
          "['velocity', 'displacement', 'stress', 'von_mises', 'strain', 'force']",
          "Fields of elastic solids in the frames; strain and force are per bond, surface_stress is the largest von Mises stress "
-         "at the surface of a cell (docs/results.md)."},
+         "at the surface of a cell, traction that of the fluid on each face (docs/results.md)."},
         {"average_from", &Output::average_from, quantity("1 s", not_negative), "0 s",
          "Time at which time averages (mean_displacement) begin."},
     };

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/nearest_name.hpp"
+#include "scene/measure_checks.hpp"
 
 namespace dmp::scene {
 
@@ -50,15 +51,7 @@ void check_region_name(const Scene& scene, const Solidify& rule, const Value<std
         throw InputError(residence.location,
                          residence_key + " of " + named(rule) + " is a time in a region, and there is no " + key,
                          "add " + key + ", the name of a [[region]]");
-    if (!region.given()) return;
-    std::vector<std::string> names;
-    for (const ResidenceRegion& each : scene.regions) names.push_back(*each.name);
-    if (is_one_of(*region, names)) return;
-    const auto nearest = nearest_name(*region, names);
-    throw InputError(region.location, key + " of " + named(rule) + ": the scene has no region '" + *region + "'",
-                     names.empty()     ? "add a [[region]] with that name and the corners from and to"
-                     : nearest.empty() ? "its regions are " + quoted_list(names)
-                                       : "did you mean '" + nearest + "'?");
+    need_region(scene, region, key + " of " + named(rule));
 }
 
 void check_seeds(const Scene& scene, const Solidify& rule) {

@@ -181,6 +181,7 @@ void check_species_measure(const Scene& scene, const Measure& measure) {
                          "the " + to_string(*measure.kind) + " '" + *measure.name +
                              "' reads a concentration, and the scene has no species",
                          "add a [[species]], or read another field");
+    if (*measure.kind == field && *measure.field == FluidField::concentration) need_species(scene, measure);
     if (!is_of_species(*measure.kind)) return;
     need_species(scene, measure);
     if (*measure.kind == wall_flux) check_wall_flux(scene, measure);

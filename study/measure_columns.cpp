@@ -34,6 +34,8 @@ MeasureColumns columns_of(MeasureKind kind) {
         case MeasureKind::peclet:
             return {one, "1"};
         case MeasureKind::body:
+        case MeasureKind::field:
+        case MeasureKind::solid_field:
         case MeasureKind::line:
         case MeasureKind::mode:
         case MeasureKind::profile:

@@ -44,6 +44,19 @@ double mean(const TimeSeries& series) {
     return length > 0 ? integral(series) / length : series.value.front();
 }
 
+/// Of what is above 0 of the straight lines.
+double positive_integral(const TimeSeries& series) {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < series.time.size(); ++i) {
+        const double high = std::max(series.value[i], series.value[i + 1]);
+        const double low = std::min(series.value[i], series.value[i + 1]);
+        if (!(high > 0)) continue;
+        const double share = low < 0 ? high / (high - low) : 1;  // of the time, in which the line is above 0
+        sum += (series.time[i + 1] - series.time[i]) * share * (high + std::max(low, 0.0)) / 2;
+    }
+    return sum;
+}
+
 double first_crossing(const TimeSeries& series, double level) {
     for (std::size_t i = 0; i < series.time.size(); ++i) {
         const double above = series.value[i] - level;
@@ -130,6 +143,10 @@ double reduced(const TimeSeries& series, Reduction reduction, const Window& wind
             return lines.value.back();
         case Reduction::integral:
             return integral(lines);
+        case Reduction::positive_integral:
+            return positive_integral(lines);
+        case Reduction::negative_integral:
+            return integral(lines) - positive_integral(lines);
         case Reduction::first_crossing:
             return first_crossing(lines, options.level);
         case Reduction::slope:
@@ -155,6 +172,8 @@ std::string unit_of(Reduction reduction, const std::string& unit) {
         case Reduction::amplitude:
             return unit;
         case Reduction::integral:
+        case Reduction::positive_integral:
+        case Reduction::negative_integral:
             return per_time(unit, true);
         case Reduction::slope:
             return per_time(unit, false);

@@ -27,6 +27,7 @@ struct ReductionOptions {
 /// as the series has:
 ///   mean            integral over time / time (trapezoidal rule); of a single row its value
 ///   integral        over time (trapezoidal rule), in the measure's unit times s
+///   positive_integral, negative_integral   the same of what is above 0, and of what is below it, which is negative
 ///   maximum, minimum, last   the largest and smallest value, and that at the window's end
 ///   first_crossing  the time at which `level` is first reached from above or below [s]; NaN if it never is
 /// Of the rows in the window, each weighted by the time that it stands for (half that between its neighbours):

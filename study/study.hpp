@@ -23,7 +23,19 @@ namespace dmp::study {
 enum class Combine { grid, zip, latin_hypercube };
 enum class Scale { linear, log };
 /// How a measure's values over time become one number (reduce.hpp).
-enum class Reduction { mean, maximum, minimum, last, integral, slope, first_crossing, amplitude, phase };
+enum class Reduction {
+    mean,
+    maximum,
+    minimum,
+    last,
+    integral,
+    slope,
+    first_crossing,
+    amplitude,
+    phase,
+    positive_integral,
+    negative_integral
+};
 
 /// One value of a key that varies.
 struct VariedValue {
@@ -106,7 +118,8 @@ inline constexpr auto enum_names<study::Combine> = std::to_array<std::string_vie
 template <>
 inline constexpr auto enum_names<study::Scale> = std::to_array<std::string_view>({"linear", "log"});
 template <>
-inline constexpr auto enum_names<study::Reduction> = std::to_array<std::string_view>(
-    {"mean", "maximum", "minimum", "last", "integral", "slope", "first_crossing", "amplitude", "phase"});
+inline constexpr auto enum_names<study::Reduction> =
+    std::to_array<std::string_view>({"mean", "maximum", "minimum", "last", "integral", "slope", "first_crossing",
+                                     "amplitude", "phase", "positive_integral", "negative_integral"});
 
 }  // namespace dmp

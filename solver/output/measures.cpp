@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "solver/output/aggregates.hpp"
 #include "solver/output/body_measure.hpp"
+#include "solver/output/field_measure.hpp"
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/fourier_mode.hpp"
 #include "solver/output/probe.hpp"
@@ -58,6 +59,14 @@ struct Measures::Rows {
              // Its column is behind those of position and velocity.
              const std::size_t angle = moment.first + 2 * static_cast<std::size_t>(self.space_.dimension);
              return body.values(rows.empty() ? 0 : rows.back().at(angle));
+         }},
+        {MeasureKind::field,
+         [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
+             return range_in_fluid(self.scene_, measure, moment.particles, moment.step);
+         }},
+        {MeasureKind::solid_field,
+         [](const Measures&, const Measure& measure, const FluidMoment& moment) {
+             return range_in_solid(measure, moment.particles, moment.step);
          }},
         {MeasureKind::largest_speed,
          [](const Measures&, const Measure&, const FluidMoment& moment) {

@@ -21,6 +21,8 @@ namespace dmp::solver {
 ///   gap            smallest distance between centres of particles of different pieces of an elastic solid [m]
 ///   displacement   of an elastic solid (DisplacementMeasure), a column for each component [m]
 ///   body           place, velocity, angle, length and stretches of an elastic solid (BodyMeasure)
+///   field          mean and extremes of a fluid field in a region (range_in_fluid)
+///   solid_field    the same of an elastic solid (range_in_solid)
 ///   largest_speed  of the fluid [m/s]
 ///   density        lowest and highest density of the fluid over its rest density, two columns [-]
 ///   kinetic_energy of the fluid, SUM m |v|^2 / 2 [J]
@@ -38,7 +40,7 @@ class Measures {
 
     [[nodiscard]] const MeasureSeries& series() const { return series_; }
     void archive(Archive& file);
-    /// Whether a probe, line or mode reads what follows from neighbours.
+    /// Whether a measure reads what follows from neighbours.
     [[nodiscard]] bool need_neighbours() const;
 
   private:

@@ -13,9 +13,8 @@ namespace {
 
 class SolidFields {
   public:
-    SolidFields(FrameGroup& group, const std::vector<float>& volume, const SpringBodies& springs,
-                const MeanDisplacement& mean_displacement)
-        : group_(group), volume_(volume), springs_(springs), mean_displacement_(mean_displacement) {
+    SolidFields(FrameGroup& group, const std::vector<float>& volume, const SolidState& state)
+        : group_(group), volume_(volume), state_(state), springs_(state.springs) {
         for (std::size_t k = 0; k < group.id.size(); ++k) index_of_[group.id[k]] = k;
     }
 
@@ -36,7 +35,7 @@ class SolidFields {
                 });
             case SolidField::mean_displacement:
                 return add_nodes("mean_displacement", "m", 3, [&](std::size_t body, std::size_t node) {
-                    return mean_displacement_.of(springs_, body, node);
+                    return state_.mean_displacement->of(springs_, body, node);
                 });
             case SolidField::stress:
                 return add_nodes("stress", "Pa", 6,
@@ -56,6 +55,11 @@ class SolidFields {
             case SolidField::principal_stretches:
                 return add_nodes("principal_stretches", "1", 2,
                                  [&](std::size_t body, std::size_t node) { return stretches(body, node); });
+            case SolidField::traction: {
+                const auto tractions = state_.traction->on(springs_);
+                return add_nodes("traction", "Pa", 3,
+                                 [&](std::size_t body, std::size_t node) { return tractions[body][node]; });
+            }
             case SolidField::strain:
                 return add_bond_field("strain", "1",
                                       [](const Bond& bond, double stretch) { return stretch / bond.rest_length; });
@@ -136,8 +140,8 @@ class SolidFields {
 
     FrameGroup& group_;
     const std::vector<float>& volume_;
+    SolidState state_;
     const SpringBodies& springs_;
-    const MeanDisplacement& mean_displacement_;
     std::unordered_map<std::int64_t, std::size_t> index_of_;
     std::vector<std::vector<std::array<double, 6>>> virial_;    ///< by body and node, when it was needed
     std::vector<std::vector<std::array<double, 2>>> of_bonds_;  ///< stretches, the same
@@ -146,8 +150,8 @@ class SolidFields {
 }  // namespace
 
 void add_solid_fields(FrameGroup& group, const std::vector<SolidField>& wanted, const std::vector<float>& volume,
-                      const SpringBodies& springs, const MeanDisplacement& mean_displacement) {
-    SolidFields fields(group, volume, springs, mean_displacement);
+                      const SolidState& state) {
+    SolidFields fields(group, volume, state);
     fields.add_bonds();
     for (const SolidField field : wanted) fields.add(field);
 }

@@ -165,8 +165,8 @@ class Forgotten(unittest.TestCase):
                      NOT_HANDLED)
 
     def measure(self, subject=None):
-        headers = replaced(CHOICES, ("    body\n}", "    body, forgotten\n}"),
-                           ('"body"}', '"body", "forgotten"}'))
+        headers = replaced(CHOICES, ("    solid_field  // of an elastic solid\n}", "    solid_field, forgotten\n}"),
+                           ('"solid_field"}', '"solid_field", "forgotten"}'))
         if subject:
             case = f"case MeasureKind::forgotten: return MeasureSubject::{subject};"
             headers |= replaced("scene/measure_subject.hpp", ("    switch (kind) {", "    switch (kind) {" + case))

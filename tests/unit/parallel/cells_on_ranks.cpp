@@ -174,6 +174,37 @@ TEST(CellsInThickLiquid, move_with_implicit_viscosity_to_the_same_bits_on_any_nu
     }
 }
 
+Measure measure_of(const std::string& name, MeasureKind kind) {
+    Measure measure;
+    measure.name = name;
+    measure.kind = kind;
+    measure.part = std::string("solid");
+    return measure;
+}
+
+TEST(FieldsOfCells, are_measured_to_the_same_bits_on_any_number_of_ranks) {
+    for (const int dimension : {2, 3}) {
+        SceneAndParticles made = solid_in_water(dimension, SpringStepping::implicit);
+        Scene& scene = made.scene;
+        scene.output.measure_every = 0.02;
+        scene.regions.emplace_back();
+        scene.regions[0].name = std::string("low_half");
+        scene.regions[0].to = Vec(2, 0.7, 2);
+        scene.measures.push_back(measure_of("low_stress", MeasureKind::field));
+        scene.measures.back().field = FluidField::shear_stress;
+        scene.measures.back().region = std::string("low_half");
+        for (const SolidField field : {SolidField::traction, SolidField::displacement}) {
+            scene.measures.push_back(measure_of(to_string(field), MeasureKind::solid_field));
+            scene.measures.back().solid_field = field;
+        }
+        const RunSummary alone = run_on(made, Ranks::alone()), shared = run_on(made, Ranks::world());
+        EXPECT_EQ(shared.measures.rows, alone.measures.rows);
+        const auto columns = 3 + static_cast<std::size_t>(dimension);
+        EXPECT_EQ(alone.measures.names.size(), 3 * columns);
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_GT(alone.measures.rows.back().at(k * columns + 2), 0) << k;
+    }
+}
+
 class LastFrame : public FrameSink {
   public:
     void write(const Frame& frame) override { last = frame; }

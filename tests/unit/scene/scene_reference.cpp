@@ -122,10 +122,10 @@ TEST(SceneReference, has_one_line_a_key_in_the_order_of_a_scene) {
         text,
         HasSubstr(
             "| `output.solid_fields` | a list of any of 'velocity', 'displacement', 'mean_displacement', 'stress', "
-            "'von_mises', 'strain', 'force', 'surface_stress' and 'principal_stretches' | "
+            "'von_mises', 'strain', 'force', 'surface_stress', 'principal_stretches' and 'traction' | "
             "[\"velocity\", \"displacement\", \"stress\", \"von_mises\", \"strain\", \"force\"] | Fields of elastic "
             "solids in the frames; strain and force are per bond, surface_stress is the largest von Mises stress "
-            "at the surface of a cell (docs/results.md). |\n"));
+            "at the surface of a cell, traction that of the fluid on each face (docs/results.md). |\n"));
 }
 
 /// The page in the docs; with DMP_UPDATE_DOCS set it is written first.

@@ -104,7 +104,7 @@ class SolidFields : public ::testing::Test {
             group_.id.push_back(static_cast<std::int64_t>(n));
             volume_.push_back(2.0F);
         }
-        add_solid_fields(group_, scene_.output.solid_fields, volume_, springs, mean);
+        add_solid_fields(group_, scene_.output.solid_fields, volume_, {springs, &mean, nullptr});
     }
     [[nodiscard]] float value(std::size_t field, std::size_t node, int component) const {
         const FrameField& found = group_.fields.at(field);

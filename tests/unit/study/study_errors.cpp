@@ -155,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(
          "  did you mean 'tip_gap'?"},
         {"unknown_reduction", "reduce = \"maximum\"", "reduce = \"max\"",
          "study.toml:14:10: result.reduce: found \"max\", expected one of 'mean', 'maximum', 'minimum', 'last', "
-         "'integral', 'slope', 'first_crossing', 'amplitude' and 'phase'\n"
+         "'integral', 'slope', 'first_crossing', 'amplitude', 'phase', 'positive_integral' and 'negative_integral'\n"
          "  write one of these names"},
         {"column_of_a_measure_with_one", "measure = \"tip_gap\"", "measure = \"tip_gap\"\ncolumn = \"x\"",
          "study.toml:14:10: the measure 'tip_gap' of kind 'gap' has one column\n"

@@ -37,6 +37,9 @@ TEST(Reduce, AStraightLineIsExact) {
     const TimeSeries series = sampled(line, 7, 2);
     EXPECT_NEAR(of(series, Reduction::mean), 1, 1e-14);
     EXPECT_NEAR(of(series, Reduction::integral), 2, 1e-14);
+    EXPECT_NEAR(of(series, Reduction::positive_integral), 2.25, 1e-14) << "it crosses 0 between two rows, at 1.5";
+    EXPECT_NEAR(of(series, Reduction::negative_integral), -0.25, 1e-14);
+    EXPECT_NEAR(of(series, Reduction::positive_integral, {1.6, 1.9}), 0, 1e-14);
     EXPECT_EQ(of(series, Reduction::maximum), 3);
     EXPECT_EQ(of(series, Reduction::minimum), -1);
     EXPECT_EQ(of(series, Reduction::last), -1);
@@ -87,9 +90,9 @@ TEST(Reduce, RowsWithoutAValueAreLeftOut) {
     EXPECT_NEAR(of(series, Reduction::slope), -2, 1e-13);
     EXPECT_NEAR(of(series, Reduction::mean), line((series.time[1] + series.time[7]) / 2), 1e-14);
     for (double& value : series.value) value = missing;
-    for (const Reduction each :
-         {Reduction::mean, Reduction::maximum, Reduction::minimum, Reduction::last, Reduction::integral,
-          Reduction::slope, Reduction::first_crossing, Reduction::amplitude, Reduction::phase})
+    for (const Reduction each : {Reduction::mean, Reduction::maximum, Reduction::minimum, Reduction::last,
+                                 Reduction::integral, Reduction::slope, Reduction::first_crossing, Reduction::amplitude,
+                                 Reduction::phase, Reduction::positive_integral, Reduction::negative_integral})
         EXPECT_TRUE(std::isnan(of(series, each))) << to_string(each);
 }
 
@@ -107,6 +110,7 @@ TEST(Reduce, WhatRowsDoNotDetermineIsNoNumber) {
 TEST(Reduce, UnitsFollowTheReduction) {
     EXPECT_EQ(unit_of(Reduction::mean, "m^3/s"), "m^3/s");
     EXPECT_EQ(unit_of(Reduction::integral, "m^3/s"), "m^3");
+    EXPECT_EQ(unit_of(Reduction::negative_integral, "m^3/s"), "m^3");
     EXPECT_EQ(unit_of(Reduction::integral, "1/s"), "1");
     EXPECT_EQ(unit_of(Reduction::slope, "m"), "m/s");
     EXPECT_EQ(unit_of(Reduction::slope, "1"), "s^-1");
