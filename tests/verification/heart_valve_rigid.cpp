@@ -20,7 +20,9 @@ namespace {
 constexpr double half_width = 12.5e-3;                          // of the vessel [m]
 constexpr double throat = -5.7974e-3, throat_half = 1.8281e-3;  // the narrowest place: x, and y of the leaflet [m]
 constexpr double band = 0.15e-3;                                // particles that are as near to the section count [m]
-constexpr std::size_t bins = 12, clear_bins = 10;               // from the axis to the leaflet; those two bins off it
+constexpr int least_samples =
+    10;  // of a bin that counts: no particle is in the first one, half a spacing beside the axis
+constexpr std::size_t bins = 12, clear_bins = 10;  // from the axis to the leaflet; those two bins off it
 
 /// y and u along a section of the grid's solution for an inflow of 0.2 m/s.
 std::vector<std::array<double, 2>> grid_section(const std::string& section) {
@@ -89,7 +91,7 @@ class AtThroat : public FrameSink {
 TEST(RigidHeartValve, HasTheJetOfTheGridsSolution) {
     AtThroat jet;
     const RunSummary run =
-        run_case("heart_valve/rigid.toml", {"output.every=\"0.6666666 ms\"", "run.duration=\"0.12 s\""}, 0.12, &jet, 1);
+        run_case("heart_valve/rigid.toml", {"output.every=\"0.1333333 ms\"", "run.duration=\"0.12 s\""}, 0.12, &jet, 1);
     const auto flux = column(run.measures, "inlet_flux");
     const auto mean_inflow = [&](double time) {
         const auto& times = run.measures.time;
@@ -109,12 +111,13 @@ TEST(RigidHeartValve, HasTheJetOfTheGridsSolution) {
     const double peak_on_grid = std::ranges::max(grid);
     double peak = 0, squares = 0, samples = 0;
     for (std::size_t k = 0; k < clear_bins; ++k) {
-        ASSERT_GE(count[k], 3) << "bin " << k;
+        if (count[k] < least_samples) continue;
         found[k] /= count[k];
         peak = std::max(peak, found[k]);
         squares += count[k] * std::pow(found[k] - grid[k], 2);
         samples += count[k];
     }
+    ASSERT_GT(samples, 200);
     Record record("heart_valve", "rigid leaflets, 0.2 m/s, 0.5 mm", run);
     record.percent("peak at the narrowest place, off the grid's", peak / peak_on_grid - 1, 0.07);
     record.percent("profile there, to 0.3 mm from the leaflet, root mean square",
