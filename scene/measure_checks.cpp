@@ -129,6 +129,8 @@ void check_measure(const Scene& scene, const Measure& measure) {
     for (const auto& part : scene.parts) {
         if (*part.kind == PartKind::elastic) springs.push_back(part.name);
     }
+    if (*measure.kind == MeasureKind::body)
+        for (const Solidify& rule : scene.solidify) springs.push_back(rule.name);
     if (std::find(springs.begin(), springs.end(), *measure.part) != springs.end()) return;
     const auto nearest = nearest_name(*measure.part, springs);
     const Part* other = scene.part_named(measure.part);

@@ -121,8 +121,8 @@ std::vector<Key<Measure>> measure_keys() {
         {"part", displacement, &Measure::part, name(), required,
          "Elastic solid whose displacement from its initial position is measured: that of its centre of mass, or of a point."},
         {"part", body, &Measure::part, name(), required,
-         "Elastic solid whose centre of mass, velocity, angle, length, and least and largest stretch are measured, as of one body "
-         "(docs/results.md)."},
+         "Elastic solid or [[solidify]] whose centre of mass, velocity, angle, length, and least and largest stretch are measured, "
+         "as of one body (docs/results.md)."},
         {"part", solid_field, &Measure::part, name(), required, "Elastic solid whose field is measured."},
         {"point", displacement, &Measure::point, point(), not_given,
          "Initial position of the particle whose displacement is measured: the nearest one is taken."},

@@ -53,6 +53,8 @@ BodyMeasure::BodyMeasure(const Measure& measure, const SpringBodies& springs, in
         velocity_ += m * body.velocity(node);
         before += m * body.rest_position(node);
     });
+    if (mass == 0) return;
+    is_there_ = true;
     centre_ /= mass;
     velocity_ /= mass;
     before /= mass;
@@ -81,7 +83,9 @@ BodyMeasure::BodyMeasure(const Measure& measure, const SpringBodies& springs, in
 }
 
 void BodyMeasure::need_ends(const Measure& measure, const ParticleSet& set) {
-    const int part = set.part_named(*measure.part);
+    const auto named = std::ranges::find(set.parts, *measure.part, [](const auto& part) { return part.name; });
+    if (named == set.parts.end()) return;  // a [[solidify]], which has nothing yet
+    const auto part = static_cast<int>(named - set.parts.begin());
     const auto is_of_it = [&](int particle) { return set.part[static_cast<std::size_t>(particle)] == part; };
     const bool cells_go_on = std::ranges::any_of(
         set.cells, [&](const SolidCell& cell) { return cell.periods != 0 && is_of_it(cell.particle); });
@@ -98,6 +102,9 @@ void BodyMeasure::need_ends(const Measure& measure, const ParticleSet& set) {
 }
 
 std::vector<double> BodyMeasure::values(double angle_before) const {
+    if (!is_there_)
+        return std::vector<double>(4 + 2 * static_cast<std::size_t>(dimension_),
+                                   std::numeric_limits<double>::quiet_NaN());
     std::vector<double> values;
     for (const Vec& vector : {centre_, velocity_})
         for (int axis = 0; axis < dimension_; ++axis) values.push_back(vector[axis]);

@@ -9,8 +9,9 @@
 
 namespace dmp::solver {
 
-/// An elastic solid as one body. With sums over its particles, X and x from the centres of mass in the initial and in
-/// the present state, the mean deformation is the F that fits best (least squares, by mass):
+/// An elastic solid as one body, or all that a [[solidify]] has made, which began where it turned solid. With sums over
+/// its particles, X and x from the centres of mass in the initial and in the present state, the mean deformation is the
+/// F that fits best (least squares, by mass):
 ///   F = (SUM m x (x) X) (SUM m X (x) X)^-1 = R U
 ///   angle     of the turn R [rad]: in 2-D anticlockwise, over any number of turns if it turns by less than half a one
 ///             between two rows; in 3-D 0 to pi
@@ -24,12 +25,13 @@ class BodyMeasure {
     /// Throws InputError for a solid that goes on through a periodic side: it has no middle and no ends.
     static void need_ends(const Measure& measure, const ParticleSet& set);
 
-    /// Centre of mass and velocity, by component, angle, length, least and largest stretch. `angle_before`: in the row
-    /// before [rad].
+    /// Centre of mass and velocity, by component, angle, length, least and largest stretch; NaN where nothing has
+    /// turned solid. `angle_before`: in the row before [rad].
     [[nodiscard]] std::vector<double> values(double angle_before) const;
 
   private:
     int dimension_;
+    bool is_there_ = false;
     Vec centre_ = Vec::Zero(), velocity_ = Vec::Zero();
     double length_ = 0;
     Eigen::Matrix3d turn_ = Eigen::Matrix3d::Identity(), stretch_ = Eigen::Matrix3d::Identity();  ///< R and U

@@ -20,9 +20,8 @@ namespace {
 
 bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
     if (!is_of_elastic_part(measure.kind)) return true;
-    const auto parts = scene.parts_of(PartKind::elastic);
-    return std::any_of(parts.begin(), parts.end(),
-                       [&](const Part* part) { return part->name.value == measure.part.value; });
+    const Part* part = scene.part_named(measure.part);
+    return part == nullptr || *part->enabled;  // what is no part is a [[solidify]]
 }
 
 void need_long_waves(const Measure& measure, const ParticleSpace& space) {

@@ -219,15 +219,18 @@ class Warnings {
     void about_output() {
         const auto& output = scene_.output;
         const auto is_named = [this](const ResidenceRegion& region) {
-            return std::ranges::any_of(scene_.solidify, [&](const Solidify& rule) {
-                return *rule.seed_region == *region.name || *rule.region == *region.name;
-            });
+            const auto is_it = [&](const Value<std::string>& name) { return *name == *region.name; };
+            return std::ranges::any_of(
+                       scene_.solidify,
+                       [&](const Solidify& rule) { return is_it(rule.seed_region) || is_it(rule.region); }) ||
+                   std::ranges::any_of(scene_.measures, [&](const Measure& measure) { return is_it(measure.region); });
         };
         if (!scene_.asks_for(FluidField::residence_time))
             for (const ResidenceRegion& region : scene_.regions)
                 if (!is_named(region))
-                    has_no_effect("region." + *region.name, region.name,
-                                  "'residence_time' is not among output.fields and no probe reads it");
+                    has_no_effect(
+                        "region." + *region.name, region.name,
+                        "'residence_time' is not among output.fields and no measure reads it or names the region");
         const bool averages = springs_ && scene_.asks_for(SolidField::mean_displacement);
         if (!averages)
             has_no_effect("output.average_from", output.average_from,

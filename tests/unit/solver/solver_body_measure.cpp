@@ -102,5 +102,23 @@ TEST(BodyMeasure, of_a_solid_through_a_periodic_side_is_refused) {
     }
 }
 
+TEST(BodyMeasure, of_what_turns_solid_begins_when_it_does) {
+    Texts texts = channel.with("duration = \"1 s\"", "duration = \"0.05 s\"");
+    texts.scene +=
+        "measure_every = \"0.01 s\"\n[[region]]\nname = \"clotting\"\nfrom = [\"1 m\", \"0.5 m\"]\nto = [\"2 m\", "
+        "\"1.5 m\"]\n[[solidify]]\nname = \"bar\"\nliquid = \"water\"\nseed_region = \"clotting\"\nregion = "
+        "\"clotting\"\nreach = \"0.15 m\"\nprobability = 1\nfrom = \"0.025 s\"\ninterval = \"1000 s\"\nspreads = "
+        "false\nbond_stiffness = \"1 kN/m\"\n[[measure]]\nname = \"bar\"\nkind = \"body\"\npart = \"bar\"\n";
+    const Followed clot = follow(texts);
+    for (const char* column : {"x", "velocity_y", "angle", "length", "largest_stretch"}) {
+        EXPECT_TRUE(std::isnan(clot.at(0, column))) << column;
+        EXPECT_TRUE(std::isfinite(clot.at(clot.series.rows.size() - 1, column))) << column;
+    }
+    EXPECT_NEAR(clot.at(4, "x"), 1.5, 1e-6);
+    EXPECT_NEAR(clot.at(4, "y"), 1, 1e-6);
+    EXPECT_NEAR(clot.at(4, "angle"), 0, 1e-6);
+    EXPECT_NEAR(clot.at(4, "largest_stretch"), 1, 1e-6);
+}
+
 }  // namespace
 }  // namespace dmp::tests::solver_body_measure_tests
