@@ -184,6 +184,7 @@ class Parser {
         sweep_app_->add_option("STUDY", sweep_.study, "A study file, or a folder with a study.toml (docs/studies.md)")
             ->required()
             ->type_name("");
+        add_set(*sweep_app_, sweep_.overrides);
         sweep_app_->add_option("--out", sweep_.out, "Folder for the runs; default: out/NAME OF THE STUDY")
             ->type_name("DIR");
         sweep_app_->add_option("--jobs", sweep_.jobs, "Runs at a time; default: as many as there are processors for")

@@ -71,10 +71,11 @@ struct SlurmOptions {
 
 /// `dmp sweep`: the runs of a study (docs/studies.md).
 struct SweepCommand {
-    std::string study;              ///< a study file, or a folder with a study.toml
-    std::string out;                ///< empty: out/NAME below the current folder
-    int jobs = 0;                   ///< runs at a time; 0: as many as there are processors for
-    std::vector<std::string> only;  ///< "key=value", as given: the runs that have this value
+    std::string study;                   ///< a study file, or a folder with a study.toml
+    std::vector<std::string> overrides;  ///< "key=value", as given: of the scene in all runs
+    std::string out;                     ///< empty: out/NAME below the current folder
+    int jobs = 0;                        ///< runs at a time; 0: as many as there are processors for
+    std::vector<std::string> only;       ///< "key=value", as given: the runs that have this value
     bool dry_run = false;
     bool resume = false;     ///< go on with the study in the folder
     bool overwrite = false;  ///< remove what an earlier study has left in the folder

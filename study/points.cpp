@@ -18,6 +18,13 @@ namespace dmp::study {
 
 namespace {
 
+std::vector<std::string> varied_values(const std::vector<VariedKey>& keys, const Point& point) {
+    std::vector<std::string> all;
+    for (std::size_t k = 0; k < keys.size(); ++k)
+        if (keys[k].is_of_scene) all.push_back(*keys[k].key + "=" + point.values[k].toml);
+    return all;
+}
+
 InputError too_many(const Study& study, const std::string& count) {
     return {SourceLocation{study.file, 0, 0},
             "the study has " + count + " runs, more than the " + std::to_string(most_runs) + " that dmp makes",
@@ -129,7 +136,7 @@ std::vector<VariedValue> Points::values_at(std::size_t index) const {
 Point Points::at(std::size_t index) const {
     Point point{"", values_at(index)};
     std::string lines = scene_hash_ + "\n";
-    for (const std::string& each : overrides(keys_, point)) lines += each + "\n";
+    for (const std::string& each : varied_values(keys_, point)) lines += each + "\n";
     std::string number = std::to_string(index + 1);
     const std::size_t width = std::max<std::size_t>(4, std::to_string(size_).size());
     number.insert(0, width - number.size(), '0');
@@ -137,10 +144,9 @@ Point Points::at(std::size_t index) const {
     return point;
 }
 
-std::vector<std::string> overrides(const std::vector<VariedKey>& keys, const Point& point) {
-    std::vector<std::string> all;
-    for (std::size_t k = 0; k < keys.size(); ++k)
-        if (keys[k].is_of_scene) all.push_back(*keys[k].key + "=" + point.values[k].toml);
+std::vector<std::string> overrides(const Study& study, const Point& point) {
+    std::vector<std::string> all = study.overrides, varied = varied_values(study.keys(), point);
+    all.insert(all.end(), varied.begin(), varied.end());
     return all;
 }
 

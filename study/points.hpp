@@ -49,7 +49,7 @@ class Points {
 };
 
 /// What a point sets, as --set takes it: "particles.spacing=\"0.1 mm\"".
-[[nodiscard]] std::vector<std::string> overrides(const std::vector<VariedKey>& keys, const Point& point);
+[[nodiscard]] std::vector<std::string> overrides(const Study& study, const Point& point);
 
 /// A hash of all that the runs depend on in the study and its scene, 16 hex digits; not of its results, nor of the
 /// scene's title, threads and pictures.

@@ -65,6 +65,18 @@ void check_axes(const Study& study) {
                      "add [[vary]] with a key and its values, such as values = [\"0.1 mm\", \"0.2 mm\"]");
 }
 
+/// A value for all runs is not one of a key that varies.
+void check_overrides(const Study& study) {
+    for (const std::string& each : study.overrides) {
+        const std::string key = each.substr(0, each.find('='));
+        for (const VariedKey& varied : study.keys())
+            if (*varied.key == key)
+                throw InputError({"--set " + each, 0, 0},
+                                 "the study varies '" + key + "', at " + varied.key.location.text(),
+                                 "choose runs with --only, or change its values in the study");
+    }
+}
+
 /// Of each run: one that its key does not take is found here, not after hours.
 void check_formulas(const Study& study, const Points& points) {
     struct Formula {
@@ -112,13 +124,14 @@ std::vector<VariedKey> Study::keys() const {
     return all;
 }
 
-Study read_study(const std::string& path) {
+Study read_study(const std::string& path, const std::vector<std::string>& overrides) {
     const std::string file = study_file(path);
-    return parse_study(read_file(file), file);
+    return parse_study(read_file(file), file, overrides);
 }
 
-Study parse_study(const std::string& text, const std::string& file) {
+Study parse_study(const std::string& text, const std::string& file, const std::vector<std::string>& overrides) {
     Study study;
+    study.overrides = overrides;
     study.file = file;
     study.text = text;
     study.name = name_of(study.file);
@@ -141,9 +154,10 @@ Study parse_study(const std::string& text, const std::string& file) {
     if (std::error_code none; !fs::exists(scene, none))
         throw InputError(study.scene_path.location, "scene: there is no '" + scene.string() + "'",
                          "give the scene's file, or its folder, relative to the folder of the study");
-    study.scene = read_scene(scene.string());
+    study.scene = read_scene(scene.string(), overrides);
     for (const TomlNode* node : tables_of(document, "vary")) study.vary.push_back(read_vary(*node, study));
     check_axes(study);
+    check_overrides(study);
     for (const TomlNode* node : tables_of(document, "result")) study.results.push_back(read_result(*node, study));
     const Points points(study);  // which refuses what does not go together
     check_formulas(study, points);

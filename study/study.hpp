@@ -95,7 +95,8 @@ struct Study {
     std::string title;    ///< of its page; "": its name
     std::string purpose;  ///< what it is to find out, for its page
     Value<std::string> scene_path;
-    Scene scene;  ///< without any of the values that vary
+    Scene scene;                         ///< without any of the values that vary
+    std::vector<std::string> overrides;  ///< of the scene in all runs, as --set takes them
     Value<Combine> combine = Combine::grid;
     Value<int> samples;  ///< of a Latin hypercube
     Value<int> seed = 1;

@@ -44,7 +44,7 @@ std::vector<std::string> run_line(const study::Study& study, const study::Point&
                                    run_folder(folder, point.name).string(),
                                    "--threads",
                                    std::to_string(threads)};
-    for (const std::string& each : study::overrides(study.keys(), point)) words.insert(words.end(), {"--set", each});
+    for (const std::string& each : study::overrides(study, point)) words.insert(words.end(), {"--set", each});
     for (const study::RunOutput each : left_out) words.insert(words.end(), {"--leave-out", to_string(each)});
     return words;
 }
@@ -56,7 +56,7 @@ RunWords words_for_run(const study::Study& study, const study::Point& point, con
     const FolderContents contents = contents_of(run);
     bool resumed = contents.kind == FolderContents::Kind::unfinished && contents.has_checkpoint;
     if (resumed) {
-        const std::string refused = refused_checkpoint(study.scene.file, study::overrides(study.keys(), point), run);
+        const std::string refused = refused_checkpoint(study.scene.file, study::overrides(study, point), run);
         if (!refused.empty())
             start.note = "run " + point.name + " cannot go on from its checkpoint, and starts anew: " + refused;
         resumed = refused.empty();

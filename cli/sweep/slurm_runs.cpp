@@ -75,6 +75,7 @@ SlurmJob job_of(const SlurmSettings& settings, const std::string& study, const f
                    settings.out.string(),
                    "--threads",
                    std::to_string(*settings.slurm.threads)};
+    for (const std::string& each : settings.overrides) job.command.insert(job.command.end(), {"--set", each});
     if (*settings.slurm.ranks > 1)
         job.command.insert(job.command.end(), {"--ranks", std::to_string(*settings.slurm.ranks), "--launcher",
                                                std::string(to_string(*settings.slurm.launcher))});

@@ -23,12 +23,13 @@ namespace dmp::cli {
 
 /// How a study's jobs are made.
 struct SlurmSettings {
-    std::string program;            ///< path of this dmp, as the nodes see it
-    std::string study;              ///< the study's file, as given
-    std::filesystem::path out;      ///< its folder, as given
-    study::Slurm slurm;             ///< with what the command line says; threads are given
-    int at_a_time = 0;              ///< most elements of an array that run at a time; 0: no limit
-    std::string form = job_form();  ///< of the job script
+    std::string program;                   ///< path of this dmp, as the nodes see it
+    std::string study;                     ///< the study's file, as given
+    std::vector<std::string> overrides{};  ///< of the scene in all runs, as given
+    std::filesystem::path out;             ///< its folder, as given
+    study::Slurm slurm;                    ///< with what the command line says; threads are given
+    int at_a_time = 0;                     ///< most elements of an array that run at a time; 0: no limit
+    std::string form = job_form();         ///< of the job script
 };
 
 /// The job of these runs, as it would be handed in.

@@ -49,6 +49,7 @@ SlurmSettings slurm_settings(const SweepCommand& command, const study::Study& st
     SlurmSettings settings;
     settings.program = fs::read_symlink("/proc/self/exe").string();
     settings.study = command.study;
+    settings.overrides = command.overrides;
     settings.out = folder;
     settings.slurm = study::with_options(study.slurm, {{"--partition", options.partition},
                                                        {"--account", options.account},

@@ -131,7 +131,7 @@ int in_jobs(const SweepCommand& command, const study::Study& study, const study:
 int execute(const SweepCommand& command) {
     refuse_several_ranks();
     if (!command.runs.empty()) return do_runs(command);
-    const study::Study study = study::read_study(command.study);
+    const study::Study study = study::read_study(command.study, command.overrides);
     const study::Points points(study);
     const fs::path out = output_folder(command.out, study.name);
     SweepSettings settings;

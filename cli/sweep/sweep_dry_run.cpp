@@ -68,7 +68,7 @@ std::string cost_text(const study::Study& study, const study::Points& points, co
     const study::Point first = points.at(chosen.front());
     SceneChoice choice;
     choice.path = study.scene.file;
-    choice.overrides = study::overrides(study.keys(), first);
+    choice.overrides = study::overrides(study, first);
     Resources resources;
     resources.threads = settings.threads;
     Scene scene = read_scene(choice.path, choice.overrides);

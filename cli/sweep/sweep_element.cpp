@@ -199,7 +199,7 @@ void note_error(const SweepCommand& command, const Error& error, int exit_code) 
 }
 
 int do_runs_of_study(const SweepCommand& command) {
-    const study::Study study = study::read_study(command.study);
+    const study::Study study = study::read_study(command.study, command.overrides);
     const study::Points points(study);
     std::vector<study::Point> runs;
     for (const std::string& name : command.runs) runs.push_back(points.at(run_called(name, points)));

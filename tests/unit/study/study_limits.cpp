@@ -270,7 +270,7 @@ TEST(LimitStudies, HaveTheScenesOwnRunItsRepeatAndARunForEachRung) {
     const study::Points points(read);
     ASSERT_EQ(points.size(), limits.size());
     ASSERT_EQ(limits.costs().size(), limits.size());
-    const auto values = [&](std::size_t run) { return study::overrides(read.keys(), points.at(run)); };
+    const auto values = [&](std::size_t run) { return study::overrides(read, points.at(run)); };
     const auto own = values(LimitStudy::own);
     EXPECT_THAT(own, IsSupersetOf({"numerics.mach_number=0.12", "particles.spacing=\"1e-04 m\"",
                                    "run.duration=\"0.5 s\"", "contact.strength=\"auto\""}));

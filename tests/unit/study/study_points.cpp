@@ -130,10 +130,26 @@ formula = "width / factor / 10"
     EXPECT_EQ(last.values[1].cell, "2");
     EXPECT_EQ(study.keys()[1].unit, "mm");
     EXPECT_DOUBLE_EQ(last.values[2].quantity->si, 2e-3 / 30);
-    const std::vector<std::string> set = overrides(study.keys(), last);
+    const std::vector<std::string> set = overrides(study, last);
     ASSERT_EQ(set.size(), 1U) << "the scene knows nothing of names";
     EXPECT_EQ(set[0].substr(0, 18), "particles.spacing=");
     EXPECT_NE(points.at(0).name.substr(5), points.at(1).name.substr(5));
+}
+
+TEST(Points, HaveWhatIsSetInAllRunsBesides) {
+    const std::string text = "scene = \"scene.toml\"\n[[vary]]\nkey = \"particles.seed\"\nvalues = [1, 2]\n";
+    const Folder folder;
+    Folder::write(good_scene);
+    const Study plain = parse_study(text, "study.toml");
+    const std::string spacing = "particles.spacing=\"0.3 mm\"";
+    const Study set = parse_study(text, "study.toml", {spacing});
+    EXPECT_DOUBLE_EQ(*set.scene.particles.spacing, 0.3e-3);
+    EXPECT_EQ(overrides(set, Points(set).at(1)), (std::vector<std::string>{spacing, "particles.seed=2"}));
+    EXPECT_NE(identity_of(set), identity_of(plain));
+    EXPECT_NE(Points(set).at(1).name, Points(plain).at(1).name);
+    EXPECT_EQ(text_thrown<InputError>([&] { parse_study(text, "study.toml", {"particles.seed=3"}); }),
+              "--set particles.seed=3: the study varies 'particles.seed', at study.toml:3:7\n"
+              "  choose runs with --only, or change its values in the study");
 }
 
 TEST(Points, AListMayHaveAFormulaForEachValue) {
