@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -134,6 +135,7 @@ struct Solidify {
     Value<double> reach;        ///< R_max, largest distance from a seed [m]
     Value<double> probability;  ///< that a random trial succeeds [-]
     Value<double> from = 0.0;   ///< time of the first event [s]
+    Value<double> until = 0.0;  ///< no event from this time on [s]; 0: not given, the run's end
     Value<double> interval;     ///< between events [s]
     Value<SeedActivity> active = SeedActivity::always;
     Value<int> one_in = 0;              ///< with active = one_in: N
@@ -183,6 +185,15 @@ struct ResidenceRegion {
     Value<std::string> name;
     Value<Vec> from{Vec::Zero()};  ///< one corner [m]
     Value<Vec> to{Vec::Zero()};    ///< the opposite one [m]
+
+    /// Whether a place is in the box: of its sides the low ones are part of it.
+    [[nodiscard]] bool contains(const Vec& place, int dimension) const {
+        for (int axis = 0; axis < dimension; ++axis)
+            if (!(place[axis] >= std::min((*from)[axis], (*to)[axis]) &&
+                  place[axis] < std::max((*from)[axis], (*to)[axis])))
+                return false;
+        return true;
+    }
 };
 
 }  // namespace dmp::scene

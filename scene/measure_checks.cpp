@@ -73,13 +73,17 @@ void check_field(const Scene& scene, const Measure& measure) {
         throw InputError(measure.field.location,
                          whose + " of kind 'field': 'stress' has several components, which have no largest one",
                          "measure 'von_mises', 'shear_stress' or 'pressure'");
+    if (measure.species.given() && *measure.field != FluidField::concentration)
+        throw InputError(measure.species.location,
+                         whose + " has a species, and '" + to_string(*measure.field) + "' is of the fluid",
+                         "write field = \"concentration\", or leave species out");
     if (*measure.field == FluidField::residence_time && scene.regions.size() > 1 && measure.region->empty())
         throw InputError(measure.field.location,
                          whose + ": there are several regions, each with its own residence_time",
                          "add region, the name of one of them");
 }
 
-void check_solid_field(const Measure& measure) {
+void check_solid_field(const Scene& scene, const Measure& measure) {
     const auto refuse = [&](const std::string& why, const std::string& advice) {
         throw InputError(
             measure.solid_field.location,
@@ -98,13 +102,20 @@ void check_solid_field(const Measure& measure) {
             refuse("is itself a mean over time",
                    "measure 'displacement', whose mean over time a study takes; or add it to output.solid_fields");
             return;
+        case SolidField::strain:
+        case SolidField::force:
+            if (const Part* part = scene.part_named(measure.part); part != nullptr && scene.is_of_cells(*part))
+                refuse("is of bonds, and '" + *measure.part + "' consists of cells",
+                       "measure 'von_mises', or a 'body', which has stretches");
+            return;
+        case SolidField::traction:
+            if (scene.parts_of(PartKind::fluid).empty())
+                refuse("is what the fluid does to a solid, and no part is a fluid", "leave the measure out");
+            return;
         case SolidField::velocity:
         case SolidField::displacement:
         case SolidField::von_mises:
         case SolidField::surface_stress:
-        case SolidField::strain:
-        case SolidField::force:
-        case SolidField::traction:
             return;
     }
     unlisted_value(*measure.solid_field);
@@ -121,7 +132,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
     }
     if (*measure.kind == MeasureKind::mode) check_waves(scene, measure);
     if (*measure.kind == MeasureKind::field) check_field(scene, measure);
-    if (*measure.kind == MeasureKind::solid_field) check_solid_field(measure);
+    if (*measure.kind == MeasureKind::solid_field) check_solid_field(scene, measure);
     check_sphere_measure(scene, measure);
     if (*measure.kind == MeasureKind::aggregate) need_solid(scene, measure.part, "measure", *measure.name);
     if (!is_of_elastic_part(measure.kind)) return;
@@ -132,6 +143,12 @@ void check_measure(const Scene& scene, const Measure& measure) {
     if (*measure.kind == MeasureKind::body)
         for (const Solidify& rule : scene.solidify) springs.push_back(rule.name);
     if (std::find(springs.begin(), springs.end(), *measure.part) != springs.end()) return;
+    const auto is_it = [&](const Solidify& rule) { return *rule.name == *measure.part; };
+    if (std::ranges::any_of(scene.solidify, is_it))
+        throw InputError(measure.part.location,
+                         "'" + *measure.part + "' is a [[solidify]], and " + to_string(*measure.kind) +
+                             " is measured of elastic parts",
+                         "measure an 'aggregate' or a 'body', which may be of what has turned solid");
     const auto nearest = nearest_name(*measure.part, springs);
     const Part* other = scene.part_named(measure.part);
     const std::string what = other == nullptr ? "the scene has no part '" + *measure.part + "'"

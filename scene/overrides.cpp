@@ -122,11 +122,13 @@ InputError no_such_entry(const std::string& list, const std::string& name, const
                               : "did you mean '" + nearest + "'?"};
 }
 
+std::string key_of_override(const std::string& text) { return trimmed(text.substr(0, text.find('='))); }
+
 void apply_overrides(TomlNode& document, std::span<const std::string> overrides) {
     for (const auto& text : overrides) {
         const SourceLocation location{"--set " + text, 0, 0};
         const auto equals = text.find('=');
-        const std::string key = trimmed(text.substr(0, equals));
+        const std::string key = key_of_override(text);
         if (equals == std::string::npos || key.empty()) {
             throw InputError(location, "expected KEY=VALUE", "write for example --set particles.spacing=\"0.1 mm\"");
         }

@@ -15,6 +15,9 @@ namespace dmp::scene {
 /// entry that is not in the document.
 void apply_overrides(TomlNode& document, std::span<const std::string> overrides);
 
+/// The key of a "key=value" text as given to --set.
+std::string key_of_override(const std::string& text);
+
 /// A key as --set takes it, "part.leaflets.density", in words. Throws InputError at `location` where the schema has no
 /// such key, or where it does not say of which entry of a list it is.
 std::vector<std::string> words_of_key(const std::string& key, const SourceLocation& location);

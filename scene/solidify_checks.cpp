@@ -89,6 +89,13 @@ void check_activity(const Solidify& rule) {
             "write active = \"one_in\", or leave one_in out");
 }
 
+void check_times(const Solidify& rule) {
+    if (*rule.until > 0 && !(*rule.until > *rule.from))
+        throw InputError(rule.until.location,
+                         named(rule) + ": until is not after from, its first event: nothing would turn solid",
+                         "end later, or leave until out");
+}
+
 void check_breaking(const Scene& scene, const Breaking& rule) {
     const auto is_it = [&](const Join& join) { return *join.name == *rule.part; };
     if (std::ranges::none_of(scene.joins, is_it)) need_solid(scene, rule.part, "break", *rule.name);
@@ -127,6 +134,7 @@ void check_solidify(const Scene& scene) {
                           "seed_residence_above");
         check_region_name(scene, rule, rule.region, "region", rule.residence_above, "residence_above");
         check_activity(rule);
+        check_times(rule);
         if (!scene.flow.symmetry->empty())
             throw InputError(rule.name.location, named(rule) + ": solids cannot be mirrored at planes of symmetry",
                              "leave out flow.symmetry, and model both sides");
@@ -137,11 +145,14 @@ void check_solidify(const Scene& scene) {
                              ": the scene has [[species]], which would be lost from fluid that solidifies",
                          "species in aggregates are not supported yet: leave out [[solidify]] or [[species]]");
     for (const Breaking& rule : scene.breaking) check_breaking(scene, rule);
-    if (scene.changes_bodies() && scene.asks_for(SolidField::mean_displacement))
-        throw InputError(
-            scene.solidify.empty() ? scene.breaking.front().name.location : scene.solidify.front().name.location,
-            "output.solid_fields contains mean_displacement, which is not available with [[solidify]] or [[break]]",
-            "leave mean_displacement out");
+    if (!scene.changes_bodies()) return;
+    for (const SolidField field : {SolidField::mean_displacement, SolidField::traction})
+        if (scene.asks_for(field))
+            throw InputError(
+                scene.solidify.empty() ? scene.breaking.front().name.location : scene.solidify.front().name.location,
+                "output.solid_fields or a measure asks for " + to_string(field) +
+                    ", which is not available with [[solidify]] or [[break]]",
+                "leave " + to_string(field) + " out");
 }
 
 }  // namespace dmp::scene

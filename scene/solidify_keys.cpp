@@ -35,6 +35,8 @@ std::vector<Key<Solidify>> solidify_keys() {
         {"probability", &Solidify::probability, number(fraction), required,
          "Probability that a random trial succeeds and makes a bond."},
         {"from", &Solidify::from, quantity("0.5 s", not_negative), "0 s", "Time of the first event."},
+        {"until", &Solidify::until, quantity("2 s", positive), not_given,
+         "Time from which on there are no events: what is solid stays so and grows no more."},
         {"interval", &Solidify::interval, quantity("10 ms", positive), required, "Time between events."},
         {"active", &Solidify::active, one_of<SeedActivity>(), "always",
          "Events in which a seed is active: \"always\", only its first one (\"once\"), or its first one and every "

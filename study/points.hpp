@@ -48,7 +48,8 @@ class Points {
     std::vector<std::vector<std::uint32_t>> strata_;  ///< Latin hypercube: of each axis, the stratum of each sample
 };
 
-/// What a point sets, as --set takes it: "particles.spacing=\"0.1 mm\"".
+/// What a run sets, as --set takes it: the study's overrides and the values of its point, "particles.spacing=\"0.1
+/// mm\"".
 [[nodiscard]] std::vector<std::string> overrides(const Study& study, const Point& point);
 
 /// A hash of all that the runs depend on in the study and its scene, 16 hex digits; not of its results, nor of the

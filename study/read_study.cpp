@@ -8,6 +8,7 @@
 
 #include "base/nearest_name.hpp"
 #include "base/safe_file.hpp"
+#include "scene/overrides.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/value_check.hpp"
 #include "study/points.hpp"
@@ -68,7 +69,7 @@ void check_axes(const Study& study) {
 /// A value for all runs is not one of a key that varies.
 void check_overrides(const Study& study) {
     for (const std::string& each : study.overrides) {
-        const std::string key = each.substr(0, each.find('='));
+        const std::string key = key_of_override(each);
         for (const VariedKey& varied : study.keys())
             if (*varied.key == key)
                 throw InputError({"--set " + each, 0, 0},

@@ -38,7 +38,8 @@ Eigen::Matrix3d turn_of(const Eigen::Matrix3d& covariance, int dimension) {
 
 }  // namespace
 
-BodyMeasure::BodyMeasure(const Measure& measure, const SpringBodies& springs, int dimension) : dimension_(dimension) {
+BodyMeasure::BodyMeasure(const Scene& scene, const Measure& measure, const SpringBodies& springs)
+    : dimension_(scene.dimension), has_initial_state_(scene.part_named(measure.part) != nullptr) {
     const auto origin = static_cast<int>(std::ranges::find(springs.names(), *measure.part) - springs.names().begin());
     const auto for_each = [&](const auto& visit) {
         for (const auto& body : springs.bodies())
@@ -65,7 +66,7 @@ BodyMeasure::BodyMeasure(const Measure& measure, const SpringBodies& springs, in
         at_rest += m * (at_start * at_start.transpose());
         now += m * (x * x.transpose());
     });
-    turn_ = turn_of(covariance, dimension);
+    turn_ = turn_of(covariance, dimension_);
     // Where the body has no extent it counts as unstretched.
     constexpr double tiny = 1e-9;
     const double floor = tiny * std::max(at_rest.trace(), std::numeric_limits<double>::min());
@@ -102,12 +103,15 @@ void BodyMeasure::need_ends(const Measure& measure, const ParticleSet& set) {
 }
 
 std::vector<double> BodyMeasure::values(double angle_before) const {
-    if (!is_there_)
-        return std::vector<double>(4 + 2 * static_cast<std::size_t>(dimension_),
-                                   std::numeric_limits<double>::quiet_NaN());
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (!is_there_) return std::vector<double>(4 + 2 * static_cast<std::size_t>(dimension_), none);
     std::vector<double> values;
     for (const Vec& vector : {centre_, velocity_})
         for (int axis = 0; axis < dimension_; ++axis) values.push_back(vector[axis]);
+    if (!has_initial_state_) {
+        values.insert(values.end(), {none, length_, none, none});
+        return values;
+    }
     if (dimension_ == 2) {
         const double angle = std::atan2(turn_(1, 0), turn_(0, 0)), whole = 2 * std::numbers::pi;
         const double before = std::isfinite(angle_before) ? angle_before : 0;  // a run that went on may have no row

@@ -9,6 +9,7 @@
 #include "particles/periodic_images.hpp"
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/frame_groups.hpp"
+#include "solver/output/surface_traction.hpp"
 
 namespace dmp::solver {
 
@@ -18,9 +19,9 @@ namespace {
 class Range {
   public:
     void add(double value, double weight, std::int64_t id, const Vec& place) {
-        weighted_.add(weight * value);
+        weighted_.add(weight * value);  // NaN, if one is
         weights_.add(weight);
-        if (!(value >= low_)) low_ = value;
+        low_ = std::min(low_, value);
         const Highest here{value, id, {place[0], place[1], place[2]}};
         if (highest_.empty())
             highest_.push_back(here);
@@ -36,7 +37,9 @@ class Range {
         const std::vector<Highest> highest = ranks.all_gather(highest_);
         if (highest.empty()) return std::vector<double>(3 + static_cast<std::size_t>(dimension), none);
         const Highest& top = *std::ranges::min_element(highest, is_before);
-        std::vector<double> values{sums[0].value() / sums[1].value(), ranks.smallest(low_), top.value};
+        const double mean = sums[0].value() / sums[1].value(), low = ranks.smallest(low_);
+        if (std::isnan(mean)) return std::vector<double>(3 + static_cast<std::size_t>(dimension), mean);
+        std::vector<double> values{mean, low, top.value};
         values.insert(values.end(), top.place.begin(), top.place.begin() + dimension);
         return values;
     }
@@ -69,27 +72,66 @@ double size_of(const std::vector<Number>& values, int components, std::size_t i)
     return std::sqrt(square);
 }
 
-/// Where a particle is shown.
-Vec shown_place(const ParticleGroup& fluid, const ParticleSpace& space, std::size_t i) {
-    Vec place = Vec::Zero();
-    for (int axis = 0; axis < space.dimension; ++axis) {
-        double x = fluid.data(Field::position, axis)[i];
-        if (space.periodic[axis]) x = wrapped(x, space.box.low[axis], space.box.high[axis]);
-        place[axis] = space.mirrored_back(x, axis);
-    }
-    return place;
+const ResidenceRegion* region_of(const Scene& scene, const Measure& measure) {
+    if (measure.region->empty()) return nullptr;
+    return &*std::ranges::find(scene.regions, *measure.region, [](const auto& each) { return *each.name; });
 }
 
 /// Of a field's arrays, one for each region or species, that of the measure.
 const FluidValues& chosen(const std::vector<FluidValues>& arrays, const Scene& scene, const Measure& measure) {
     if (*measure.field == FluidField::concentration) return arrays[scene.species_of(measure)];
-    if (*measure.field != FluidField::residence_time || measure.region->empty()) return arrays.front();
-    const auto found = std::ranges::find(scene.regions, *measure.region, [](const auto& each) { return *each.name; });
-    return arrays[static_cast<std::size_t>(found - scene.regions.begin())];
+    const ResidenceRegion* region = region_of(scene, measure);
+    if (*measure.field != FluidField::residence_time || region == nullptr) return arrays.front();
+    return arrays[static_cast<std::size_t>(region - scene.regions.data())];
+}
+
+Vec place_in_box(Vec place, const ParticleSpace& space) {
+    for (int axis = 0; axis < space.dimension; ++axis)
+        if (space.periodic[axis]) place[axis] = wrapped(place[axis], space.box.low[axis], space.box.high[axis]);
+    return place;
 }
 
 Vec place_of(const FrameGroup& group, std::size_t i) {
     return {group.position[3 * i], group.position[3 * i + 1], group.position[3 * i + 2]};
+}
+
+/// Those that the particles of the measure's part have; each stands for the same share of the surface.
+void add_tractions(Range& range, const Measure& measure, const ParticleStore& particles, const FluidStep& step) {
+    const SpringBodies& springs = step.springs();
+    const SurfaceTraction tractions(particles, springs, step.neighbours().ranks());
+    if (!step.neighbours().ranks().is_first()) return;
+    const auto origin = std::ranges::find(springs.names(), *measure.part) - springs.names().begin();
+    const auto of_bodies = tractions.on(springs);
+    for (std::size_t b = 0; b < of_bodies.size(); ++b) {
+        const SpringBody& body = *springs.bodies()[b];
+        for (std::size_t node = 0; node < body.nodes(); ++node)
+            if (of_bodies[b][node] && body.origin(node) == origin)
+                range.add(of_bodies[b][node]->norm(), 1, body.ids()[node],
+                          place_in_box(body.position(node), particles.space()));
+    }
+}
+
+/// The field of the particles or bonds of the measure's part.
+void add_field(Range& range, const Measure& measure, const SolidGroup& solid, const ParticleSpace& space) {
+    const FrameGroup& group = solid.group;
+    const int part = space.part_named(*measure.part);
+    if (!group.fields.empty()) {
+        const FrameField& field = group.fields.front();
+        for (std::size_t i = 0; i < group.size(); ++i)
+            if (group.part[i] == part)
+                range.add(size_of(field.values, field.components, i), static_cast<double>(solid.volume[i]), group.id[i],
+                          place_of(group, i));
+    }
+    if (group.bond_fields.empty()) return;
+    const FrameField& field = group.bond_fields.front();
+    for (std::size_t bond = 0; bond < group.bonds(); ++bond) {
+        const auto a = static_cast<std::size_t>(group.bond_ends[2 * bond]),
+                   b = static_cast<std::size_t>(group.bond_ends[2 * bond + 1]);
+        if (group.part[a] != part || group.part[b] != part) continue;
+        const Vec apart = nearest_image(place_of(group, b) - place_of(group, a), space);
+        range.add(static_cast<double>(field.values[bond]), 1, static_cast<std::int64_t>(bond),
+                  place_in_box(place_of(group, a) + 0.5 * apart, space));
+    }
 }
 
 }  // namespace
@@ -99,17 +141,11 @@ std::vector<double> range_in_fluid(const Scene& scene, const Measure& measure, c
     const ParticleGroup& fluid = particles.fluid();
     const std::vector<FluidValues> arrays = FluidFields(scene, particles, step).of(measure.field);
     const FluidValues& field = chosen(arrays, scene, measure);
-    const auto region = std::ranges::find(scene.regions, *measure.region, [](const auto& each) { return *each.name; });
-    const bool everywhere = measure.region->empty();
+    const ResidenceRegion* region = region_of(scene, measure);
     Range range;
     for (std::size_t i = 0; i < fluid.owned(); ++i) {
         const Vec place = shown_place(fluid, particles.space(), i);
-        bool inside = true;
-        for (int axis = 0; axis < fluid.dimension() && !everywhere; ++axis) {
-            const auto [low, high] = std::minmax({(*region->from)[axis], (*region->to)[axis]});
-            inside = inside && place[axis] >= low && place[axis] < high;
-        }
-        if (inside)
+        if (region == nullptr || region->contains(place, fluid.dimension()))
             range.add(size_of(field.values, field.components, i), fluid.data(Field::volume)[i], fluid.tags()[i].id,
                       place);
     }
@@ -117,33 +153,13 @@ std::vector<double> range_in_fluid(const Scene& scene, const Measure& measure, c
 }
 
 std::vector<double> range_in_solid(const Measure& measure, const ParticleStore& particles, const FluidStep& step) {
-    const SolidGroup solid = solid_group(particles, step, {measure.solid_field}, nullptr);
-    const FrameGroup& group = solid.group;
-    const auto& parts = particles.space().parts;
-    const auto part =
-        std::ranges::find(parts, *measure.part, [](const auto& each) { return each.name; }) - parts.begin();
+    const Ranks& ranks = step.neighbours().ranks();
     Range range;  // on the first rank, which has all
-    if (!group.fields.empty()) {
-        const FrameField& field = group.fields.front();
-        for (std::size_t i = 0; i < group.size(); ++i) {
-            if (group.part[i] != part) continue;
-            const double value = size_of(field.values, field.components, i);
-            const bool has_none = *measure.solid_field == SolidField::traction && value == 0;
-            if (!has_none) range.add(value, static_cast<double>(solid.volume[i]), group.id[i], place_of(group, i));
-        }
-    }
-    if (!group.bond_fields.empty()) {
-        const FrameField& field = group.bond_fields.front();
-        for (std::size_t bond = 0; bond < group.bonds(); ++bond) {
-            const auto a = static_cast<std::size_t>(group.bond_ends[2 * bond]),
-                       b = static_cast<std::size_t>(group.bond_ends[2 * bond + 1]);
-            if (group.part[a] != part) continue;
-            const Vec apart = nearest_image(place_of(group, b) - place_of(group, a), particles.space());
-            range.add(static_cast<double>(field.values[bond]), 1, static_cast<std::int64_t>(bond),
-                      place_of(group, a) + 0.5 * apart);
-        }
-    }
-    return range.values(step.neighbours().ranks(), particles.dimension());
+    if (*measure.solid_field == SolidField::traction)
+        add_tractions(range, measure, particles, step);
+    else
+        add_field(range, measure, solid_group(particles, step, {measure.solid_field}, nullptr), particles.space());
+    return range.values(ranks, particles.dimension());
 }
 
 }  // namespace dmp::solver

@@ -16,7 +16,7 @@ namespace dmp::solver {
 std::vector<double> range_in_fluid(const Scene& scene, const Measure& measure, const ParticleStore& particles,
                                    const FluidStep& step);
 /// Of the measure's elastic part: fields of particles with their mean by volume, those of bonds by number, at their
-/// middles. Of traction, what has none is left out.
+/// middles; tractions of those that have one.
 std::vector<double> range_in_solid(const Measure& measure, const ParticleStore& particles, const FluidStep& step);
 
 }  // namespace dmp::solver

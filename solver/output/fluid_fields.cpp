@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "particles/periodic_images.hpp"
+
 namespace dmp::solver {
 
 namespace {
@@ -15,6 +17,16 @@ bool is_shown_mirrored(const ParticleGroup& particles, const ParticleSpace& spac
     if (particles.kind() != PartKind::fluid || axis >= space.dimension || !space.is_mirrored(axis)) return false;
     const double x = particles.data(Field::position, axis)[i];
     return space.mirrored_back(x, axis) != x;
+}
+
+Vec shown_place(const ParticleGroup& particles, const ParticleSpace& space, std::size_t i) {
+    Vec place = Vec::Zero();
+    for (int axis = 0; axis < space.dimension; ++axis) {
+        double x = particles.data(Field::position, axis)[i];
+        if (space.periodic[axis]) x = wrapped(x, space.box.low[axis], space.box.high[axis]);
+        place[axis] = is_shown_mirrored(particles, space, axis, i) ? space.mirrored_back(x, axis) : x;
+    }
+    return place;
 }
 
 double von_mises(const std::array<double, 6>& s) {

@@ -25,6 +25,9 @@ struct FluidValues {
 /// Whether a particle lies beyond a plane of symmetry across this axis: a frame then shows its image.
 bool is_shown_mirrored(const ParticleGroup& particles, const ParticleSpace& space, int axis, std::size_t i);
 
+/// Where a particle is shown: within the periodic box, and on the fluid's side of planes of symmetry [m].
+Vec shown_place(const ParticleGroup& particles, const ParticleSpace& space, std::size_t i);
+
 /// What the frames and probes show of the fluid, worked out when it is asked for (docs/results.md):
 ///   velocity, pressure, density   as they are
 ///   stress         sigma = -p I + mu (grad v + grad v^T) [Pa]

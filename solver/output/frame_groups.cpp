@@ -5,7 +5,6 @@
 #include <optional>
 #include <string_view>
 
-#include "particles/periodic_images.hpp"
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/frame_pieces.hpp"
 #include "solver/output/solid_fields.hpp"
@@ -45,12 +44,7 @@ FrameGroup group_of(const std::string& name, const ParticleGroup& particles, con
         if (chosen && !chosen(tag.part)) continue;
         group.id.push_back(tag.id);
         group.part.push_back(tag.part);
-        for (int axis = 0; axis < 3; ++axis) {
-            double x = axis < space.dimension ? particles.data(Field::position, axis)[i] : 0;
-            if (space.periodic[axis]) x = wrapped(x, space.box.low[axis], space.box.high[axis]);
-            if (is_shown_mirrored(particles, space, axis, i)) x = space.mirrored_back(x, axis);
-            group.position.push_back(static_cast<float>(x));
-        }
+        for (const double x : shown_place(particles, space, i)) group.position.push_back(static_cast<float>(x));
     }
     return group;
 }

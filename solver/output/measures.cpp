@@ -24,6 +24,19 @@ bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
     return part == nullptr || *part->enabled;  // what is no part is a [[solidify]]
 }
 
+/// A region that never holds fluid is a slip of the pen.
+void need_region_in_box(const Scene& scene, const Measure& measure, const ParticleSpace& space) {
+    for (const ResidenceRegion& region : scene.regions)
+        for (int axis = 0; axis < space.dimension; ++axis) {
+            const auto [low, high] = std::minmax({(*region.from)[axis], (*region.to)[axis]});
+            if (*region.name == *measure.region && (high < space.box.low[axis] || low > space.box.high[axis]))
+                throw InputError(
+                    region.from.location,
+                    "region '" + *region.name + "' of measure '" + *measure.name + "' lies outside of all particles",
+                    "correct its corners; 'dmp mesh' says where the particles are");
+        }
+}
+
 void need_long_waves(const Measure& measure, const ParticleSpace& space) {
     if (FourierMode(measure.waves, space).spacings() >= 4) return;
     throw InputError(
@@ -54,7 +67,7 @@ struct Measures::Rows {
         {MeasureKind::body,
          [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
              const auto& rows = moment.series.rows;
-             const BodyMeasure body(measure, moment.step.springs(), self.space_.dimension);
+             const BodyMeasure body(self.scene_, measure, moment.step.springs());
              // Its column is behind those of position and velocity.
              const std::size_t angle = moment.first + 2 * static_cast<std::size_t>(self.space_.dimension);
              return body.values(rows.empty() ? 0 : rows.back().at(angle));
@@ -115,6 +128,7 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
         if (*measure.kind == MeasureKind::gap) gaps_.try_emplace(&measure, measure, set);
         if (*measure.kind == MeasureKind::displacement) displacements_.try_emplace(&measure, measure, set);
         if (*measure.kind == MeasureKind::body) BodyMeasure::need_ends(measure, set);
+        if (*measure.kind == MeasureKind::field) need_region_in_box(scene, measure, space_);
         for (const auto& [name, unit] : measure_columns(scene, measure)) {
             series_.names.push_back(name);
             series_.units.push_back(unit);

@@ -8,8 +8,7 @@ namespace dmp::solver {
 
 ResidenceTimes::ResidenceTimes(const Scene& scene, ParticleStore& particles) {
     if (!scene.asks_for(FluidField::residence_time)) return;
-    for (const ResidenceRegion& region : scene.regions)
-        regions_.push_back({region.from->cwiseMin(*region.to), region.from->cwiseMax(*region.to)});
+    regions_ = scene.regions;
     if (!regions_.empty()) particles.fluid().declare(Field::residence_time, static_cast<int>(regions_.size()));
 }
 
@@ -20,17 +19,14 @@ void ResidenceTimes::add(ParticleStore& particles, double dt, int threads) const
     const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
 #pragma omp parallel for num_threads(threads) schedule(static)
     for (std::ptrdiff_t i = 0; i < count; ++i) {
-        std::array<double, 3> position{};
+        Vec place = Vec::Zero();
         for (int axis = 0; axis < space.dimension; ++axis) {
             const double x = fluid.data(Field::position, axis)[i];
-            position[axis] = space.periodic[axis] ? wrapped(x, space.box.low[axis], space.box.high[axis]) : x;
+            place[axis] = space.periodic[axis] ? wrapped(x, space.box.low[axis], space.box.high[axis]) : x;
         }
-        for (std::size_t r = 0; r < regions_.size(); ++r) {
-            bool inside = true;
-            for (int axis = 0; axis < space.dimension; ++axis)
-                inside = inside && position[axis] >= regions_[r].low[axis] && position[axis] < regions_[r].high[axis];
-            if (inside) fluid.data(Field::residence_time, static_cast<int>(r))[i] += dt;
-        }
+        for (std::size_t r = 0; r < regions_.size(); ++r)
+            if (regions_[r].contains(place, space.dimension))
+                fluid.data(Field::residence_time, static_cast<int>(r))[i] += dt;
     }
 }
 

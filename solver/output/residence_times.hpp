@@ -21,7 +21,7 @@ class ResidenceTimes {
     void add(ParticleStore& particles, double dt, int threads) const;
 
   private:
-    std::vector<Box> regions_;  ///< empty: not wanted
+    std::vector<ResidenceRegion> regions_;  ///< empty: not wanted
 };
 
 }  // namespace dmp::solver

@@ -57,8 +57,9 @@ class SolidFields {
                                  [&](std::size_t body, std::size_t node) { return stretches(body, node); });
             case SolidField::traction: {
                 const auto tractions = state_.traction->on(springs_);
-                return add_nodes("traction", "Pa", 3,
-                                 [&](std::size_t body, std::size_t node) { return tractions[body][node]; });
+                return add_nodes("traction", "Pa", 3, [&](std::size_t body, std::size_t node) {
+                    return tractions[body][node].value_or(Vec(Vec::Zero()));
+                });
             }
             case SolidField::strain:
                 return add_bond_field("strain", "1",

@@ -25,7 +25,7 @@ struct SolidState {
 ///   von_mises  of that stress, nothing acting across the plane [Pa]
 ///   principal_stretches  least and largest of a cell, at its centroid; of springs those of the node's bonds [-]
 ///   surface_stress  the largest von_mises at the corners of a cell's solid; of springs von_mises [Pa]
-///   traction   of the fluid on the surface (SurfaceTraction) [Pa]
+///   traction   of the fluid on the surface (SurfaceTraction) [Pa]; 0 of particles that have none
 ///   strain, force   of each bond: (r - r0) / r0 [-], 2 k_b (r - r0) [N]
 /// `volume` is that of the group's particles [m^3].
 void add_solid_fields(FrameGroup& group, const std::vector<SolidField>& wanted, const std::vector<float>& volume,

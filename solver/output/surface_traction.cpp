@@ -4,91 +4,18 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <functional>
 
-#include "particles/periodic_images.hpp"
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/linear_fit.hpp"
+#include "solver/output/point_grid.hpp"
 
 namespace dmp::solver {
 
 namespace {
 
-constexpr double fluid_reach = 4;  ///< R, in spacings
-
-/// Points in a box that may be periodic, sorted into cells.
-class PointGrid {
-  public:
-    PointGrid(const ParticleSpace& space, double reach, std::vector<Vec> points)
-        : space_(space), reach_(reach), points_(std::move(points)) {
-        for (int axis = 0; axis < 3; ++axis)
-            if (space.periodic[axis]) {
-                const double length = space.box.high[axis] - space.box.low[axis];
-                cells_[axis] = std::max(1, static_cast<int>(length / reach));
-                size_[axis] = length / cells_[axis];
-            } else {
-                size_[axis] = reach;
-            }
-        for (std::size_t k = 0; k < points_.size(); ++k) in_cell_[cell_of(points_[k])].push_back(k);
-    }
-
-    /// Calls visit(k, vector from `place` to the nearest image of point k) for the points within reach, in ascending
-    /// order of k.
-    template <class Visit>
-    void for_each_near(const Vec& place, const Visit& visit) const {
-        std::vector<std::size_t> near;
-        for (const Cell& cell : around(cell_of(place)))
-            if (const auto found = in_cell_.find(cell); found != in_cell_.end())
-                near.insert(near.end(), found->second.begin(), found->second.end());
-        std::ranges::sort(near);
-        for (const std::size_t k : near) {
-            const Vec apart = nearest_image(points_[k] - place, space_);
-            if (apart.norm() < reach_) visit(k, apart);
-        }
-    }
-
-    [[nodiscard]] bool any_near(const Vec& place) const {
-        return std::ranges::any_of(around(cell_of(place)), [&](const Cell& cell) {
-            const auto found = in_cell_.find(cell);
-            return found != in_cell_.end() && std::ranges::any_of(found->second, [&](std::size_t k) {
-                       return nearest_image(points_[k] - place, space_).norm() < reach_;
-                   });
-        });
-    }
-
-  private:
-    using Cell = std::array<int, 3>;
-
-    [[nodiscard]] Cell cell_of(const Vec& point) const {
-        Cell cell{};
-        for (int axis = 0; axis < space_.dimension; ++axis)
-            cell[axis] = at(axis, static_cast<int>(std::floor((point[axis] - space_.box.low[axis]) / size_[axis])));
-        return cell;
-    }
-    [[nodiscard]] int at(int axis, int index) const {
-        const int cells = cells_[axis];
-        return cells == 0 ? index : (index % cells + cells) % cells;
-    }
-    /// The cell and those beside it, each once.
-    [[nodiscard]] std::vector<Cell> around(const Cell& cell) const {
-        std::vector<Cell> cells;
-        const int deep = space_.dimension == 3 ? 1 : 0;
-        for (int z = -deep; z <= deep; ++z)
-            for (int y = -1; y <= 1; ++y)
-                for (int x = -1; x <= 1; ++x)
-                    cells.push_back({at(0, cell[0] + x), at(1, cell[1] + y), at(2, cell[2] + z)});
-        std::ranges::sort(cells);
-        cells.erase(std::ranges::unique(cells).begin(), cells.end());
-        return cells;
-    }
-
-    const ParticleSpace& space_;
-    double reach_;
-    std::array<double, 3> size_{};
-    std::array<int, 3> cells_{};  ///< in a period; 0: not periodic
-    std::vector<Vec> points_;
-    std::map<Cell, std::vector<std::size_t>> in_cell_;
-};
+constexpr double fluid_reach = 4;      ///< R, in spacings
+constexpr double nearest_fluid = 1.5;  ///< farther from a surface than this, in spacings, fluid is not beside it
 
 /// Two directions across a normal; in 2-D one, and z.
 std::array<Vec, 2> across(const Vec& normal, int dimension) {
@@ -97,6 +24,28 @@ std::array<Vec, 2> across(const Vec& normal, int dimension) {
     normal.cwiseAbs().minCoeff(&least);
     const Vec first = normal.cross(Vec::Unit(least)).normalized();
     return {first, normal.cross(first)};
+}
+
+/// A place itself, and its images behind the planes of symmetry.
+std::vector<std::function<Vec(const Vec&)>> images(const ParticleSpace& space) {
+    std::vector<std::function<Vec(const Vec&)>> images{[](const Vec& place) { return place; }};
+    for (int axis = 0; axis < space.dimension; ++axis)
+        for (const auto& [side, plane] : {std::pair(std::size_t{0}, space.box.low[axis]), {1, space.box.high[axis]}})
+            if (space.mirrored[static_cast<std::size_t>(axis)][side])
+                images.emplace_back([axis, plane](const Vec& place) {
+                    Vec image = place;
+                    image[axis] = 2 * plane - place[axis];
+                    return image;
+                });
+    return images;
+}
+
+/// Whether one of these points, given from a surface, stands between the surface and x.
+bool is_hidden(const Vec& x, const std::vector<Vec>& points, double spacing) {
+    return std::ranges::any_of(points, [&](const Vec& point) {
+        const double along = point.dot(x) / x.squaredNorm();
+        return along > 0 && along < 1 && (point - along * x).norm() < spacing / 2;
+    });
 }
 
 }  // namespace
@@ -110,10 +59,11 @@ std::vector<Vec> surface_normals(const SpringBody& body, const ParticleSpace& sp
     std::vector<Vec> normals(body.nodes(), Vec::Zero());
     for (std::size_t node = 0; node < body.nodes(); ++node) {
         Vec inwards = Vec::Zero();
-        grid.for_each_near(at_rest[node], [&](std::size_t other, const Vec&) {
-            const Vec apart = nearest_image(body.position(other) - body.position(node), space);
-            if (other != node && apart.norm() > 0) inwards += apart.normalized();
-        });
+        for (const auto& image_of : images(space))
+            grid.for_each_near(image_of(at_rest[node]), [&](std::size_t other, const Vec&) {
+                const Vec apart = nearest_image(image_of(body.position(other)) - body.position(node), space);
+                if (apart.norm() > 1e-6 * space.spacing) inwards += apart.normalized();
+            });
         if (inwards.norm() > shortest) normals[node] = -inwards.normalized();
     }
     return normals;
@@ -129,14 +79,15 @@ SurfaceTraction::SurfaceTraction(const ParticleStore& particles, const SpringBod
     const ParticleGroup& fluid = particles.fluid();
     std::vector<Sample> own;
     for (std::size_t i = 0; i < fluid.owned(); ++i) {
+        const Vec place = shown_place(fluid, space_, i);
+        if (!grid.any_near(place)) continue;
         Sample sample{};
+        std::copy_n(place.data(), 3, sample.position.begin());
         for (int axis = 0; axis < space_.dimension; ++axis) {
-            const auto a = static_cast<std::size_t>(axis);
-            sample.position[a] = space_.mirrored_back(fluid.data(Field::position, axis)[i], axis);
             const double velocity = fluid.data(Field::velocity, axis)[i];
-            sample.velocity[a] = is_shown_mirrored(fluid, space_, axis, i) ? -velocity : velocity;
+            sample.velocity[static_cast<std::size_t>(axis)] =
+                is_shown_mirrored(fluid, space_, axis, i) ? -velocity : velocity;
         }
-        if (!grid.any_near(Vec(sample.position.data()))) continue;
         sample.id = fluid.tags()[i].id;
         sample.volume = fluid.data(Field::volume)[i];
         sample.pressure = fluid.data(Field::pressure)[i];
@@ -147,25 +98,33 @@ SurfaceTraction::SurfaceTraction(const ParticleStore& particles, const SpringBod
     std::ranges::sort(samples_, {}, &Sample::id);
 }
 
-std::vector<std::vector<Vec>> SurfaceTraction::on(const SpringBodies& springs) const {
-    std::vector<Vec> places;
+std::vector<std::vector<std::optional<Vec>>> SurfaceTraction::on(const SpringBodies& springs) const {
+    std::vector<Vec> places, nodes;
     for (const Sample& sample : samples_) places.emplace_back(sample.position.data());
+    for (const auto& body : springs.bodies())
+        for (std::size_t node = 0; node < body->nodes(); ++node) nodes.push_back(body->position(node));
     const double reach = fluid_reach * space_.spacing;
-    const PointGrid grid(space_, reach, std::move(places));
-    std::vector<std::vector<Vec>> tractions;
+    const PointGrid fluid(space_, reach, std::move(places)), solids(space_, reach, std::move(nodes));
+    std::vector<std::vector<std::optional<Vec>>> tractions;
     for (const auto& body : springs.bodies()) {
         const std::vector<Vec> normals = surface_normals(*body, space_);
-        auto& of_body = tractions.emplace_back(body->nodes(), Vec::Zero());
+        auto& of_body = tractions.emplace_back(body->nodes());
         for (std::size_t node = 0; node < body->nodes(); ++node) {
             const Vec& normal = normals[node];
             if (normal.isZero(0) || body->of_wall(node)) continue;
-            std::vector<Near> near;
-            const Vec half = space_.spacing / 2 * normal;
-            grid.for_each_near(body->position(node) + half, [&](std::size_t k, const Vec& x) {
-                if ((x + half).dot(normal) <= 0) return;
-                near.push_back({&samples_[k], x, samples_[k].volume * std::pow(1 - x.norm() / reach, 2)});
+            const Vec half = space_.spacing / 2 * normal, surface = body->position(node) + half;
+            std::vector<Vec> before;  // particles of solids in front of the surface
+            solids.for_each_near(surface, [&](std::size_t, const Vec& x) {
+                if (x.dot(normal) > 0) before.push_back(x);
             });
-            if (!near.empty()) of_body[node] = traction(near, normal);
+            std::vector<Near> near;
+            double nearest = reach;
+            fluid.for_each_near(surface, [&](std::size_t k, const Vec& x) {
+                if ((x + half).dot(normal) <= 0 || is_hidden(x, before, space_.spacing)) return;
+                near.push_back({&samples_[k], x, samples_[k].volume * std::pow(1 - x.norm() / reach, 2)});
+                nearest = std::min(nearest, x.norm());
+            });
+            if (nearest < nearest_fluid * space_.spacing) of_body[node] = traction(near, normal);
         }
     }
     return tractions;

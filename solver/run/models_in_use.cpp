@@ -52,6 +52,7 @@ std::string solidify_rule_text(const Solidify& rule) {
     }
     text += " within " + three_digits(rule.reach) + " m, with probability " + three_digits(rule.probability) +
             " every " + three_digits(rule.interval) + " s";
+    if (*rule.until > 0) text += " until " + three_digits(rule.until) + " s";
     if (*rule.active == SeedActivity::once) text += "; a seed acts once";
     if (*rule.active == SeedActivity::one_in) text += "; a seed acts once in " + std::to_string(*rule.one_in);
     return text + (rule.spreads ? "" : "; what turned solid is no seed");

@@ -2,6 +2,7 @@
 #include "solver/solidify/body_events.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace dmp::solver {
@@ -63,8 +64,9 @@ struct Overloaded {
 BodyEvents::BodyEvents(const Scene& scene, const ParticleSet& set, const Ranks& ranks) {
     for (int number = 0; number < static_cast<int>(scene.solidify.size()); ++number) {
         const Solidify& rule = scene.solidify[static_cast<std::size_t>(number)];
+        const double until = *rule.until > 0 ? *rule.until : std::numeric_limits<double>::infinity();
         solidifying_.push_back(
-            {std::make_unique<Solidification>(scene, number, set, ranks), rule.from, Schedule(rule.interval)});
+            {std::make_unique<Solidification>(scene, number, set, ranks), rule.from, until, Schedule(rule.interval)});
     }
     const auto names = body_names(scene);
     for (const Breaking& rule : scene.breaking) {
@@ -74,9 +76,15 @@ BodyEvents::BodyEvents(const Scene& scene, const ParticleSet& set, const Ranks& 
     }
 }
 
+/// The time of its next event [s]; infinite after the last one.
+double BodyEvents::Solidifying::next() const {
+    const double next = from + times.next(), rounding = 1e-9 * std::abs(next);
+    return next < until - rounding ? next : std::numeric_limits<double>::infinity();
+}
+
 double BodyEvents::next() const {
     double next = std::numeric_limits<double>::infinity();
-    for (const Solidifying& each : solidifying_) next = std::min(next, each.from + each.times.next());
+    for (const Solidifying& each : solidifying_) next = std::min(next, each.next());
     for (const Breaks& each : breaks_)
         if (!each.every_step) next = std::min(next, each.times.next());
     return next;
@@ -95,7 +103,7 @@ bool BodyEvents::act(double time, ParticleStore& particles, FluidStep& fluid) {
         acted = true;
     }
     for (Solidifying& each : solidifying_) {
-        if (!each.times.due(time - each.from)) continue;
+        if (!std::isfinite(each.next()) || !each.times.due(time - each.from)) continue;
         fluid.update_pressure();
         fluid.refresh_neighbours();
         each.rule->act(each.events++, particles, fluid);

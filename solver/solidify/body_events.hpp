@@ -30,9 +30,11 @@ class BodyEvents {
   private:
     struct Solidifying {
         std::unique_ptr<Solidification> rule;
-        double from;
+        double from, until;  ///< [s]
         Schedule times;
         std::int64_t events = 0;
+
+        [[nodiscard]] double next() const;
     };
     struct Breaks {
         std::string name;

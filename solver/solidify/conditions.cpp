@@ -13,18 +13,16 @@ SolidifyRegion::SolidifyRegion(const Scene& scene, const Value<std::string>& nam
         const ResidenceRegion& region = scene.regions[k];
         if (*region.name != *name) continue;
         number_ = static_cast<int>(k);
-        box_ = {region.from->cwiseMin(*region.to), region.from->cwiseMax(*region.to)};
+        region_ = &region;
     }
 }
 
 bool SolidifyRegion::contains(const Vec& position) const {
     if (everywhere_) return true;
-    for (int axis = 0; axis < space_.dimension; ++axis) {
-        const double x = space_.periodic[axis] ? wrapped(position[axis], space_.box.low[axis], space_.box.high[axis])
-                                               : position[axis];
-        if (!(x >= box_.low[axis] && x < box_.high[axis])) return false;
-    }
-    return true;
+    Vec place = position;
+    for (int axis = 0; axis < space_.dimension; ++axis)
+        if (space_.periodic[axis]) place[axis] = wrapped(place[axis], space_.box.low[axis], space_.box.high[axis]);
+    return region_->contains(place, space_.dimension);
 }
 
 SolidifyConditions::SolidifyConditions(const Scene& scene, const Solidify& rule, int liquid_part,

@@ -24,7 +24,7 @@ class SolidifyRegion {
     const ParticleSpace& space_;
     bool everywhere_;
     int number_ = 0;
-    Box box_;
+    const ResidenceRegion* region_ = nullptr;  ///< null: everywhere
 };
 
 /// Which of this rank's liquid particles a [[solidify]] may turn solid now, and which become seeds. Works out shear

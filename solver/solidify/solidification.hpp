@@ -15,8 +15,8 @@
 namespace dmp::solver {
 
 /// One [[solidify]]: who are its seeds, and what happens at its events (docs/solidify.md). Every rank finds the
-/// bond candidates of its own fluid, all ranks gather them and make the same random trials, so that all make the same change to the
-/// bodies, which all hold.
+/// bond candidates of its own fluid, all ranks gather them and make the same random trials, so that all make the same
+/// change to the bodies, which all hold.
 class Solidification {
   public:
     /// `number` of the rule in the scene. Throws InputError when the particles do not have what the rule needs.
@@ -42,8 +42,8 @@ class Solidification {
                                                              const std::vector<SolidifyingParticle>& new_seeds) const;
     /// How many more bonds particles may have that have some of this rule.
     [[nodiscard]] std::unordered_map<std::int64_t, int> room(const SpringBodies& springs) const;
-    void bond_to_neighbours(BodyChange& change, const std::vector<SolidifyingParticle>& turned, const ParticleStore& particles,
-                            const SpringBodies& springs) const;
+    void bond_to_neighbours(BodyChange& change, const std::vector<SolidifyingParticle>& turned,
+                            const ParticleStore& particles, const SpringBodies& springs) const;
     void add_node(BodyChange& change, const SolidifyingParticle& turned) const;
     void add_bond(BodyChange& change, const SpringBodies& springs, int a, int b) const;
 

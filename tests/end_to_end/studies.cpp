@@ -329,6 +329,15 @@ class SmallRuns : public Studies {
     }
 };
 
+TEST_F(SmallRuns, MayHaveAnotherValueOfTheScene) {
+    const std::string shorter = "run.duration=0.08 s";
+    ASSERT_EQ(sweep("out", {"--set", shorter, "--only", "part.blood.viscosity=4 mPa*s"}).code, 0);
+    ASSERT_EQ(sweep("out", {"--set", shorter, "--run", "1"}).code, 0) << "as a job of a queueing system does it";
+    EXPECT_THAT(runs("out"), SizeIs(2));
+    for (const std::string& run : runs("out")) EXPECT_NEAR(summary("out/runs/" + run)["simulated_s"], 0.08, 1e-9);
+    EXPECT_THAT(sweep("out", {"--resume"}).errors, HasSubstr("it holds another study"));
+}
+
 TEST_F(SmallRuns, AreCopiesOfOneProcess) {
     std::vector<pid_t> parents;
     std::string words;

@@ -142,6 +142,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"one_in_of_always", "probability = 0.25", "probability = 0.25\none_in = 3",
               "scene.toml:58:10: solidify 'clot': one_in needs active = \"one_in\", and active is \"always\"\n"
               "  write active = \"one_in\", or leave one_in out"},
+        Fault{"until_before_from", "probability = 0.25", "probability = 0.25\nfrom = \"2 s\"\nuntil = \"1 s\"",
+              "scene.toml:59:9: solidify 'clot': until is not after from, its first event: nothing would turn solid\n"
+              "  end later, or leave until out"},
         Fault{"species_beside_it", "[[region]]",
               "[[species]]\nname = \"oxygen\"\ndiffusivity = \"1e-9 m^2/s\"\n[[region]]",
               "scene.toml:56:8: solidify 'clot': the scene has [[species]], which would be lost from fluid that "
@@ -158,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:62:8: break 'tear' has no limit: nothing would ever break\n"
               "  give force_above or strain_above"},
         Fault{"mean_of_what_changes", "every = \"20 ms\"", "every = \"20 ms\"\nsolid_fields = ['mean_displacement']",
-              "scene.toml:54:8: output.solid_fields contains mean_displacement, which is not available with "
+              "scene.toml:54:8: output.solid_fields or a measure asks for mean_displacement, which is not available with "
               "[[solidify]] or [[break]]\n"
               "  leave mean_displacement out"},
         Fault{"aggregate_of_a_wall", "[[break]]",

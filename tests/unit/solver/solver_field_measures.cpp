@@ -71,10 +71,13 @@ TEST(FieldMeasure, reads_stresses_without_frames_of_them) {
 }
 
 TEST(FieldMeasure, where_there_is_no_fluid_has_no_value) {
-    const MeasureSeries series =
-        run(sheared(measure("none", "field", "region = \"outside\"\n") +
-                    "[[region]]\nname = \"outside\"\nfrom = [0, \"3 m\"]\nto = [\"1 m\", \"4 m\"]\n"));
+    // The half of the box that the geometry leaves out.
+    Texts texts = sheared(measure("none", "field", "region = \"outside\"\n") +
+                          "[[region]]\nname = \"outside\"\nfrom = [0, \"1.99 m\"]\nto = [\"1 m\", \"4 m\"]\n");
+    const MeasureSeries series = run(texts);
     for (const double each : series.rows.front()) EXPECT_TRUE(std::isnan(each));
+    EXPECT_THAT(text_thrown<InputError>([&] { run(texts.with("1.99 m", "3 m")); }),
+                testing::HasSubstr("region 'outside' of measure 'none' lies outside of all particles"));
 }
 
 TEST(FieldMeasure, refuses_what_has_no_largest_value) {
@@ -89,6 +92,8 @@ TEST(FieldMeasure, refuses_what_has_no_largest_value) {
                       "[[region]]\nname = \"low\"\nfrom = [0, 0]\nto = [\"1 m\", \"1 m\"]\n"),
                 testing::HasSubstr("there are several regions, each with its own residence_time"));
     EXPECT_THAT(fault(measure("m", "field", "field = \"concentration\"\n")), testing::HasSubstr("no species"));
+    EXPECT_THAT(fault(measure("m", "field", "species = \"oxygen\"\n")),
+                testing::HasSubstr("measure 'm' has a species, and 'velocity' is of the fluid"));
     EXPECT_THAT(fault(measure("m", "solid_field", "part = \"water\"\n")),
                 testing::HasSubstr("part 'water' is of kind 'fluid', expected 'elastic'"));
     for (const std::string field : {"stress", "principal_stretches", "mean_displacement"})
@@ -98,36 +103,47 @@ TEST(FieldMeasure, refuses_what_has_no_largest_value) {
             testing::HasSubstr("measure 'm' of kind 'solid_field': '" + field + "'"));
 }
 
-/// A free bar of 1 m x 1/4 m that starts with (0.3, 0.4) m/s.
-Texts flying_bar(const std::string& model) {
+/// A free bar of 1 m x 1/4 m without stiffness that starts with this velocity.
+Texts flying_bar(const std::string& model, const std::string& velocity) {
     return {
         "schema = 1\ndimension = 2\n[geometry]\nfile = \"channel.geo\"\n[particles]\nspacing = \"0.0625 "
         "m\"\n[[part]]\nname = \"bar\"\nkind = \"elastic\"\nmodel = \"" +
             model +
             "\"\ndensity = \"1000 kg/m^3\"\npoisson_ratio = 0.25\nyoungs_modulus = \"1 "
-            "MPa\"\ninitial_velocity = [\"0.3 m/s\", \"0.4 m/s\"]\n[flow]\nlargest_speed = \"2 "
-            "m/s\"\n[numerics]\nsound_speed = \"20 m/s\"\n[contact]\nrange = 0\n[run]\nduration = \"0.1 "
-            "s\"\n[output]\nevery = \"0.1 s\"\n" +
+            "uPa\"\ninitial_velocity = " +
+            velocity +
+            "\n[flow]\nlargest_speed = \"2 m/s\"\n[numerics]\nsound_speed = \"20 m/s\"\n[contact]\nrange = "
+            "0\n[run]\nduration = \"0.1 s\"\n[output]\nevery = \"0.1 s\"\n" +
             measure("speed", "solid_field", "part = \"bar\"\nfield = \"velocity\"\n") +
-            measure("gone", "solid_field", "part = \"bar\"\n") +
-            measure("strain", "solid_field", "part = \"bar\"\nfield = \"strain\"\n"),
+            measure("gone", "solid_field", "part = \"bar\"\n"),
         "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 1, 0.25};\nPhysical Surface(\"bar\") = {1};\n"};
 }
 
-TEST(SolidFieldMeasure, is_of_particles_or_of_bonds) {
+TEST(SolidFieldMeasure, is_of_particles) {
     for (const std::string model : {"springs", "cells"}) {
-        const MeasureSeries series = run(flying_bar(model));
+        const MeasureSeries series = run(flying_bar(model, "[\"0.3 m/s\", \"0.4 m/s\"]"));
         const std::size_t last = series.rows.size() - 1;
         EXPECT_NEAR(value(series, 0, "speed_mean"), 0.5, 1e-7);  // fields of frames are of single precision
         EXPECT_NEAR(value(series, 0, "speed_low"), 0.5, 1e-7);
         EXPECT_EQ(value(series, 0, "gone_high"), 0);
         EXPECT_NEAR(value(series, last, "gone_mean"), 0.05, 1e-7);
         EXPECT_NEAR(value(series, last, "gone_low"), 0.05, 1e-7);
-        if (model == "springs")
-            EXPECT_NEAR(value(series, last, "strain_high"), 0, 1e-6);
-        else
-            EXPECT_TRUE(std::isnan(value(series, last, "strain_high"))) << "cells have no bonds";
     }
+}
+
+TEST(SolidFieldMeasure, is_of_bonds_where_it_says_so) {
+    Texts pulled = flying_bar("springs", "[\"0.2 / (1 s) * x\", 0]");
+    pulled.scene += measure("strain", "solid_field", "part = \"bar\"\nfield = \"strain\"\n");
+    const MeasureSeries series = run(pulled);
+    const std::size_t last = series.rows.size() - 1;
+    EXPECT_NEAR(value(series, last, "strain_high"), 0.02, 1e-6);  // along x
+    EXPECT_NEAR(value(series, last, "strain_low"), 0, 1e-6);      // along y
+    // 16 x 4 particles: 15 x 4 bonds along x, 16 x 3 along y, 2 x 15 x 3 diagonals, which lengthen by about half.
+    EXPECT_NEAR(value(series, last, "strain_mean"), (60 * 0.02 + 90 * (std::sqrt((1.02 * 1.02 + 1) / 2) - 1)) / 198,
+                1e-6);
+    Texts of_cells = flying_bar("cells", "[0, 0]");
+    of_cells.scene += measure("strain", "solid_field", "part = \"bar\"\nfield = \"strain\"\n");
+    EXPECT_THAT(fault_of(of_cells), testing::HasSubstr("'strain' is of bonds, and 'bar' consists of cells"));
 }
 
 /// A strip in the middle of the channel, from one periodic side to the other, between lids that slide in opposite
@@ -208,6 +224,35 @@ Texts floor_under_a_stream(const std::string& spacing) {
         "Physical Curve(\"bottom\") = Curve In BoundingBox{-1, -0.01, -1, 5, 0.01, 1};\n"
         "Physical Curve(\"wall\") = Curve In BoundingBox{-1, 1.99, -1, 5, 2.01, 1};\n";
     return texts;
+}
+
+/// Largest traction of a floor of 1/2 m under 1.5 m of water at rest, which both end at planes of symmetry or walls.
+MeasureSeries under_still_water(const std::string& sides) {
+    Texts texts = floor_under_a_stream("0.125 m")
+                      .with("acceleration = [\"1 m/s^2\", 0]", "acceleration = [0, \"-1 m/s^2\"]")
+                      .with("duration = \"3 s\"", "duration = \"20 ms\"")
+                      .with("every = \"1 s\"", "every = \"20 ms\"")
+                      .with("periodic = [\"x\"]", sides == "symmetry" ? "symmetry = [\"x_low\", \"x_high\"]" : "");
+    if (sides == "walls")
+        texts = texts
+                    .with("BoundingBox{-1, 1.99, -1, 5, 2.01, 1};",
+                          "BoundingBox{-1, 1.99, -1, 5, 2.01, 1};\nPhysical Curve(\"sides\") = {Curve In "
+                          "BoundingBox{-0.01, -1, -1, 0.01, 3, 1}, Curve In BoundingBox{3.99, -1, -1, 4.01, 3, 1}};\n")
+                    .with("[[part]]\nname = \"floor\"",
+                          "[[part]]\nname = \"sides\"\nkind = \"rigid\"\n[[part]]\nname = \"floor\"");
+    return run(texts);
+}
+
+TEST(SurfaceTraction, ends_with_the_liquid_at_walls_and_planes_of_symmetry) {
+    for (const std::string sides : {"symmetry", "walls"}) {
+        const MeasureSeries series = under_still_water(sides);
+        const std::size_t last = series.rows.size() - 1;
+        EXPECT_GT(value(series, last, "load_high"), 100) << sides;
+        if (sides == "symmetry") {
+            EXPECT_NEAR(value(series, last, "load_low") / value(series, last, "load_high"), 1, 0.02);
+        }
+        EXPECT_NEAR(value(series, last, "load_high_y"), 0.25 - 0.125 / 2, 0.02) << sides << ": on the surface";
+    }
 }
 
 TEST(SurfaceTraction, of_a_parabola_is_half_of_what_drives_it) {

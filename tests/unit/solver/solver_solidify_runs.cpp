@@ -71,6 +71,21 @@ TEST(Solidify, fills_a_diamond_in_liquid_at_rest_and_keeps_all_mass) {
     EXPECT_EQ(summary.lost, 0U);
 }
 
+TEST(Solidify, ends_before_its_last_time) {
+    SceneAndParticles made = blood_channel();
+    made.scene.regions = {middle_of(made)};
+    Solidify clot = clot_of("blood");
+    clot.seed_region = std::string("nidus");
+    clot.until = 0.02;  // events at 0 and 0.01 s
+    made.scene.solidify = {clot};
+    made.scene.run.duration = 0.045;
+    made.scene.output.measure_every = 0.01;
+    made.scene.measures = {size_of_clot()};
+    const RunSummary summary = run(made);
+    for (std::size_t row = 1; row < summary.measures.rows.size(); ++row)
+        EXPECT_EQ(measured(summary.measures, "clot_particles", row), 13) << row;
+}
+
 TEST(Solidify, in_space_fills_an_octahedron) {
     SceneAndParticles made = endless_water();
     ParticleSet& set = made.particles;

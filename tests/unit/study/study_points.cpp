@@ -147,6 +147,8 @@ TEST(Points, HaveWhatIsSetInAllRunsBesides) {
     EXPECT_EQ(overrides(set, Points(set).at(1)), (std::vector<std::string>{spacing, "particles.seed=2"}));
     EXPECT_NE(identity_of(set), identity_of(plain));
     EXPECT_NE(Points(set).at(1).name, Points(plain).at(1).name);
+    EXPECT_THAT(text_thrown<InputError>([&] { parse_study(text, "study.toml", {" particles.seed = 3"}); }),
+                testing::HasSubstr("the study varies 'particles.seed'"));
     EXPECT_EQ(text_thrown<InputError>([&] { parse_study(text, "study.toml", {"particles.seed=3"}); }),
               "--set particles.seed=3: the study varies 'particles.seed', at study.toml:3:7\n"
               "  choose runs with --only, or change its values in the study");
