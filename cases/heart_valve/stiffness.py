@@ -1,0 +1,191 @@
+#!/usr/bin/env python3
+# Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+"""Table and pictures of stiffness.toml's runs for PUBLISHED.md, a row for each beat of a run.
+
+    python3 cases/heart_valve/stiffness.py out/stiffness [out/table.csv [FIGURES_FOLDER]]
+
+Instead of a study's folder it takes folders of single runs, separated by commas. Needs numpy; pictures need matplotlib and
+python3-vtk9, as docs/python.md says.
+"""
+
+import csv
+import json
+import math
+import pathlib
+import re
+import sys
+import tomllib
+import xml.etree.ElementTree
+
+import numpy
+
+CLOSED = 2  # spacings: a narrower gap counts as closed
+RHO = 1056.0  # kg/m^3
+
+
+def number(value):
+    """A quantity of a resolved scene, which is in SI units: "5e-04 m", or 0.0005 for a geometry's parameter."""
+    return float(value.split(" ")[0]) if isinstance(value, str) else float(value)
+
+
+class Run:
+    """Settings and measures of one run, in SI units."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        with open(self.folder / "scene.resolved.toml", "rb") as file:
+            scene = tomllib.load(file)
+        part = {each["name"]: each for each in scene["part"]}
+        geometry = scene["geometry"]["parameters"]
+        self.spacing = number(scene["particles"]["spacing"])
+        self.stiffness = number(part["leaflets"]["bending_stiffness"])
+        self.viscosity = number(part["blood"]["viscosity"])
+        self.length, self.half_width = number(geometry["leaflet_length"]), number(geometry["half_width"])
+        radius, half_gap = number(geometry["chamber_radius"]), number(geometry["tip_gap"]) / 2
+        drive = scene["flow"]["pressure_gradient"][0]  # ((-(2800 Pa/m))*sin((((2*pi)*t)/(1 s))))
+        self.drive, self.period = (float(re.search(rf"([-+.\de]+) {unit}", drive)[1]) for unit in ("Pa/m", "s"))
+        with open(self.folder / "measures.csv", encoding="utf-8") as file:
+            rows = list(csv.reader(file))
+        values = numpy.array([[float(value) for value in row] for row in rows[1:]])
+        self.column = dict(zip((heading.split(" [")[0] for heading in rows[0]), values.T))
+        self.time = self.column["time"]
+        rise = self.half_width - half_gap
+        run = math.sqrt(self.length**2 - rise**2)
+        # the particle at the tip, half a spacing off the leaflet's middle, from the root
+        x = run - self.spacing / 2 * rise / self.length
+        y = half_gap - self.spacing / 2 * run / self.length
+        self.tip_x = {side: x + self.column[f"{side}_tip_x"] for side in ("upper", "lower")}
+        self.tip_y = {"upper": y + self.column["upper_tip_y"], "lower": -y + self.column["lower_tip_y"]}
+        self.root = -math.sqrt(radius**2 - self.half_width**2)
+
+    def asymmetry(self):
+        """Sum of the tips' y over the half width."""
+        return numpy.abs(self.column["upper_tip_y"] + self.column["lower_tip_y"]) / self.half_width
+
+    def beat(self, beat):
+        """What the table says of one beat, from 1 on."""
+        start = (beat - 1) * self.period
+        here = (self.time >= start - 1e-9) & (self.time <= start + self.period + 1e-9)
+        time, flux = (self.time[here] - start) / self.period, self.column["inlet_flux"][here]
+        centre, gap = self.column["inlet_velocity_x"][here], self.column["tip_gap"][here]
+
+        def volume(y):
+            return float(numpy.sum(0.5 * (y[1:] + y[:-1]) * numpy.diff(time))) * self.period
+
+        def first(condition, after):
+            found = numpy.flatnonzero(condition[after:])
+            return time[after + found[0]] if found.size else math.nan
+
+        back = numpy.maximum(self.tip_x["upper"][here], self.tip_x["lower"][here])  # the tip that is further downstream
+        upstream = min(self.tip_x["upper"][here].min(), self.tip_x["lower"][here].min())
+        peak = centre.max()
+        after = int(flux.argmax())
+        return {
+            "run": self.folder.name, "spacing [mm]": 1e3 * self.spacing, "EI [N*m^2]": self.stiffness,
+            "drive [Pa/m]": self.drive, "beat": beat, "until": time[-1], "widest_gap [mm]": 1e3 * gap.max(),
+            "centre_peak [m/s]": peak, "mean_peak [m/s]": flux.max() / (2 * self.half_width),
+            "mean_backward [m/s]": -flux.min() / (2 * self.half_width), "reverses [beats]": first(flux < 0, after),
+            "closed [beats]": first(gap < CLOSED * self.spacing, max(after, int(gap.argmax()))),
+            "gap_at_end [mm]": 1e3 * gap[-1], "forward [cm^2]": 1e4 * volume(numpy.maximum(flux, 0)),
+            "net_over_forward": volume(flux) / volume(numpy.maximum(flux, 0)),
+            "largest_tip_displacement [mm]": 1e3 * max(
+                numpy.hypot(self.column[f"{side}_tip_x"][here], self.column[f"{side}_tip_y"][here]).max()
+                for side in ("upper", "lower")),
+            "furthest_upstream_of_root [mm]": -1e3 * upstream,
+            "both_upstream [beats]": first(back < 0, 0),
+            "share_of_beat_inverted": float((back < 0).mean()), "largest_asymmetry": float(self.asymmetry()[here].max()),
+            "reynolds": RHO * peak * self.half_width / self.viscosity,
+            "cauchy": RHO * peak**2 * self.length**3 / self.stiffness,
+        }
+
+    def beats(self):
+        """Rows of all beats that are there by three quarters."""
+        return [self.beat(n) for n in range(1, 10) if self.time[-1] > (n - 0.25) * self.period]
+
+    def growth(self):
+        """When the asymmetry passes some levels [s], and its rate of growth from 1e-4 to 1e-2 of the half width [1/s]."""
+        asymmetry = self.asymmetry()
+        passed = {level: self.time[numpy.flatnonzero(asymmetry > level)[0]] if (asymmetry > level).any() else math.nan
+                  for level in (1e-10, 1e-7, 1e-4, 1e-2, 0.1)}
+        return {"run": self.folder.name, **passed, "early": math.log(1e3) / (passed[1e-7] - passed[1e-10]),
+                "late": math.log(1e2) / (passed[1e-2] - passed[1e-4])}
+
+
+def runs_of(where):
+    """The runs of a study's folder, or of folders separated by commas."""
+    study = pathlib.Path(where)
+    if (study / "results.csv").exists():
+        return [Run(folder) for folder in sorted((study / "runs").iterdir()) if (folder / "measures.csv").exists()]
+    return [Run(folder) for folder in where.split(",")]
+
+
+def frame(run, series, time):
+    """Positions [mm] and speeds, if the frame has any, of a series of frames at a time."""
+    import vtk
+    from vtk.util.numpy_support import vtk_to_numpy
+    sets = list(xml.etree.ElementTree.parse(run.folder / f"{series}.pvd").iter("DataSet"))
+    nearest = min(sets, key=lambda each: abs(float(each.get("timestep")) - time))
+    reader = vtk.vtkXMLPolyDataReader()
+    reader.SetFileName(str(run.folder / nearest.get("file")))
+    reader.Update()
+    data = reader.GetOutput()
+    velocity = data.GetPointData().GetArray("velocity")
+    return (1e3 * vtk_to_numpy(data.GetPoints().GetData()),
+            None if velocity is None else numpy.linalg.norm(vtk_to_numpy(velocity), axis=1))
+
+
+def pictures(runs, names, times, folder):
+    """states.png, frames of each run, and course.png, gap, place and asymmetry of the tips over time."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    figure, axes = plt.subplots(len(times), len(runs), figsize=(9.6, 1.6 * len(times)))
+    for column, (run, name) in enumerate(zip(runs, names)):
+        for row, time in enumerate(times):
+            axis = axes[row, column]
+            place, speed = frame(run, "fluid", time)
+            shown = axis.scatter(place[:, 0], place[:, 1], c=speed, s=1.3, linewidths=0, vmin=0, vmax=1.2)
+            place, _ = frame(run, "solid", time)
+            axis.scatter(place[:, 0], place[:, 1], c="#d01030", s=1.6, linewidths=0)
+            axis.set(aspect="equal", xlim=(-40, 40), ylim=(-22, 22))
+            axis.set_axis_off()
+            axis.set_title(f"{name}, {time:.2f} s" if row == 0 else f"{time:.2f} s", fontsize=8, pad=2)
+    figure.subplots_adjust(0.01, 0.06, 0.99, 0.97, 0.03, 0.12)
+    bar = figure.colorbar(shown, cax=figure.add_axes([0.3, 0.025, 0.4, 0.012]), orientation="horizontal")
+    bar.set_label("speed [m/s]", fontsize=8, labelpad=1)
+    bar.ax.tick_params(labelsize=7)
+    figure.savefig(folder / "stiffness_states.png", dpi=90)
+
+    figure, axes = plt.subplots(3, 1, figsize=(8, 7), sharex=True)
+    for run, name in zip(runs, names):
+        axes[0].plot(run.time, 1e3 * run.column["tip_gap"], lw=0.9, label=name)
+        further = numpy.maximum(run.tip_x["upper"], run.tip_x["lower"])
+        axes[1].plot(run.time, 1e3 * further, lw=0.9)
+        axes[2].semilogy(run.time, numpy.maximum(run.asymmetry(), 1e-17), lw=0.9)
+    axes[0].set_ylabel("gap [mm]")
+    axes[0].legend(fontsize=8, ncols=3)
+    axes[1].set_ylabel("both tips from the root,\ndownstream [mm]")
+    axes[1].axhline(0, c="0.5", lw=0.8)
+    axes[2].set(ylabel="|y of upper + of lower tip|\n/ half width", xlabel="time [s]", ylim=(1e-16, 3))
+    axes[2].axhline(0.1, c="0.5", lw=0.8)
+    figure.tight_layout()
+    figure.savefig(folder / "stiffness_course.png", dpi=90)
+
+
+def main():
+    """Writes the table and the pictures."""
+    runs = runs_of(sys.argv[1])
+    rows = [row for run in runs for row in run.beats()]
+    with open(sys.argv[2], "w", encoding="utf-8", newline="") if len(sys.argv) > 2 else sys.stdout as file:
+        writer = csv.DictWriter(file, rows[0].keys())
+        writer.writeheader()
+        for row in rows:
+            writer.writerow({key: f"{value:.4g}" if isinstance(value, float) else value for key, value in row.items()})
+        for run in runs:
+            print(json.dumps({key: float(f"{value:.3g}") if isinstance(value, float) else value
+                              for key, value in run.growth().items()}), file=sys.stderr)
+    if len(sys.argv) > 3:
+        pictures(runs, ["soft", "intermediate", "hard"], [0.2, 0.46, 0.7, 0.86, 0.94, 1.0], pathlib.Path(sys.argv[3]))
+
+
+main()
