@@ -39,6 +39,8 @@ class Run:
         geometry = scene["geometry"]["parameters"]
         self.spacing = number(scene["particles"]["spacing"])
         self.stiffness = number(part["leaflets"]["bending_stiffness"])
+        # what the lattice has: the program lowers EA to that
+        self.stretch = min(number(part["leaflets"]["axial_stiffness"]), 2 * self.stiffness / self.spacing**2)
         self.viscosity = number(part["blood"]["viscosity"])
         self.length, self.half_width = number(geometry["leaflet_length"]), number(geometry["half_width"])
         radius, half_gap = number(geometry["chamber_radius"]), number(geometry["tip_gap"]) / 2
@@ -77,6 +79,7 @@ class Run:
             return time[after + found[0]] if found.size else math.nan
 
         back = numpy.maximum(self.tip_x["upper"][here], self.tip_x["lower"][here])  # the tip that is further downstream
+        front = numpy.minimum(self.tip_x["upper"][here], self.tip_x["lower"][here])
         upstream = min(self.tip_x["upper"][here].min(), self.tip_x["lower"][here].min())
         peak = centre.max()
         after = int(flux.argmax())
@@ -93,10 +96,18 @@ class Run:
                 for side in ("upper", "lower")),
             "furthest_upstream_of_root [mm]": -1e3 * upstream,
             "both_upstream [beats]": first(back < 0, 0),
+            # how far the tips are past each other while both are downstream of their roots
+            "overlap [mm]": 1e3 * float((self.tip_y["lower"] - self.tip_y["upper"])[here][front > 0].max()),
             "share_of_beat_inverted": float((back < 0).mean()), "largest_asymmetry": float(self.asymmetry()[here].max()),
             "reynolds": RHO * peak * self.half_width / self.viscosity,
-            "cauchy": RHO * peak**2 * self.length**3 / self.stiffness,
+            "cauchy": RHO * peak**2 * self.length**3 / self.stiffness, "n_r": self.n_r(peak),
         }
+
+    def n_r(self, peak):
+        """Re N_f = (rho U Z / mu) (rho f^2 d^5 L / EI), 1 m deep, with the thickness d = sqrt(12 EI / EA)."""
+        thickness = math.sqrt(12 * self.stiffness / self.stretch)
+        return (RHO * peak * self.half_width / self.viscosity
+                * RHO * thickness**5 * self.length / self.period**2 / self.stiffness)
 
     def beats(self):
         """Rows of all beats that are there by three quarters."""
