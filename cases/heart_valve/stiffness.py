@@ -78,9 +78,11 @@ class Run:
             found = numpy.flatnonzero(condition[after:])
             return time[after + found[0]] if found.size else math.nan
 
-        back = numpy.maximum(self.tip_x["upper"][here], self.tip_x["lower"][here])  # the tip that is further downstream
-        front = numpy.minimum(self.tip_x["upper"][here], self.tip_x["lower"][here])
-        upstream = min(self.tip_x["upper"][here].min(), self.tip_x["lower"][here].min())
+        # closing and what follows, to where the next beat has opened the valve again
+        closing = (self.time >= start + 0.5 * self.period) & (self.time <= start + 1.4 * self.period)
+        upper, lower = (self.tip_x[side][closing] for side in ("upper", "lower"))
+        back = numpy.maximum(upper, lower)  # the tip that is further downstream
+        passed = (self.tip_y["lower"] - self.tip_y["upper"])[closing]
         peak = centre.max()
         after = int(flux.argmax())
         return {
@@ -94,11 +96,10 @@ class Run:
             "largest_tip_displacement [mm]": 1e3 * max(
                 numpy.hypot(self.column[f"{side}_tip_x"][here], self.column[f"{side}_tip_y"][here]).max()
                 for side in ("upper", "lower")),
-            "furthest_upstream_of_root [mm]": -1e3 * upstream,
-            "both_upstream [beats]": first(back < 0, 0),
+            "one_tip_upstream_of_root [mm]": -1e3 * min(upper.min(), lower.min()), "both_upstream [mm]": -1e3 * back.min(),
+            "both_for [s]": float((back < 0).sum() * (self.time[1] - self.time[0])),
             # how far the tips are past each other while both are downstream of their roots
-            "overlap [mm]": 1e3 * float((self.tip_y["lower"] - self.tip_y["upper"])[here][front > 0].max()),
-            "share_of_beat_inverted": float((back < 0).mean()), "largest_asymmetry": float(self.asymmetry()[here].max()),
+            "overlap [mm]": 1e3 * float(passed[numpy.minimum(upper, lower) > 0].max()), "largest_asymmetry": float(self.asymmetry()[here].max()),
             "reynolds": RHO * peak * self.half_width / self.viscosity,
             "cauchy": RHO * peak**2 * self.length**3 / self.stiffness, "n_r": self.n_r(peak),
         }
@@ -150,37 +151,42 @@ def pictures(runs, names, times, folder):
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
-    figure, axes = plt.subplots(len(times), len(runs), figsize=(9.6, 1.6 * len(times)))
+    from PIL import Image
+    figure, axes = plt.subplots(len(times), len(runs), figsize=(8.4, 1.6 * len(times)))
     for column, (run, name) in enumerate(zip(runs, names)):
         for row, time in enumerate(times):
             axis = axes[row, column]
             place, speed = frame(run, "fluid", time)
-            shown = axis.scatter(place[:, 0], place[:, 1], c=speed, s=1.3, linewidths=0, vmin=0, vmax=1.2)
+            shown = axis.scatter(place[:, 0], place[:, 1], c=speed, s=3.6, marker="s", linewidths=0, vmin=0, vmax=1.2)
             place, _ = frame(run, "solid", time)
-            axis.scatter(place[:, 0], place[:, 1], c="#d01030", s=1.6, linewidths=0)
-            axis.set(aspect="equal", xlim=(-40, 40), ylim=(-22, 22))
+            axis.scatter(place[:, 0], place[:, 1], c="#e01030", s=5, linewidths=0)
+            axis.set(aspect="equal", xlim=(-34, 34), ylim=(-22, 22))
             axis.set_axis_off()
             axis.set_title(f"{name}, {time:.2f} s" if row == 0 else f"{time:.2f} s", fontsize=8, pad=2)
-    figure.subplots_adjust(0.01, 0.06, 0.99, 0.97, 0.03, 0.12)
-    bar = figure.colorbar(shown, cax=figure.add_axes([0.3, 0.025, 0.4, 0.012]), orientation="horizontal")
+    figure.subplots_adjust(0.01, 0.07, 0.99, 0.97, 0.03, 0.12)
+    bar = figure.colorbar(shown, cax=figure.add_axes([0.3, 0.045, 0.4, 0.012]), orientation="horizontal")
     bar.set_label("speed [m/s]", fontsize=8, labelpad=1)
     bar.ax.tick_params(labelsize=7)
-    figure.savefig(folder / "stiffness_states.png", dpi=90)
+    figure.savefig(folder / "stiffness_states.png", dpi=75)
+    with Image.open(folder / "stiffness_states.png") as picture:  # 160 colours: smaller
+        small = picture.convert("RGB").quantize(160)
+    small.save(folder / "stiffness_states.png", optimize=True)
 
-    figure, axes = plt.subplots(3, 1, figsize=(8, 7), sharex=True)
+    figure, axes = plt.subplots(3, 1, figsize=(8, 7))
     for run, name in zip(runs, names):
         axes[0].plot(run.time, 1e3 * run.column["tip_gap"], lw=0.9, label=name)
         further = numpy.maximum(run.tip_x["upper"], run.tip_x["lower"])
         axes[1].plot(run.time, 1e3 * further, lw=0.9)
-        axes[2].semilogy(run.time, numpy.maximum(run.asymmetry(), 1e-17), lw=0.9)
+        axes[2].loglog(run.time[1:], numpy.maximum(run.asymmetry(), 1e-17)[1:], lw=0.9)
     axes[0].set_ylabel("gap [mm]")
     axes[0].legend(fontsize=8, ncols=3)
     axes[1].set_ylabel("both tips from the root,\ndownstream [mm]")
     axes[1].axhline(0, c="0.5", lw=0.8)
+    axes[1].set_xlabel("time [s]")
     axes[2].set(ylabel="|y of upper + of lower tip|\n/ half width", xlabel="time [s]", ylim=(1e-16, 3))
     axes[2].axhline(0.1, c="0.5", lw=0.8)
     figure.tight_layout()
-    figure.savefig(folder / "stiffness_course.png", dpi=90)
+    figure.savefig(folder / "stiffness_course.png", dpi=75)
 
 
 def main():
@@ -196,7 +202,7 @@ def main():
             print(json.dumps({key: float(f"{value:.3g}") if isinstance(value, float) else value
                               for key, value in run.growth().items()}), file=sys.stderr)
     if len(sys.argv) > 3:
-        pictures(runs, ["soft", "intermediate", "hard"], [0.2, 0.46, 0.7, 0.86, 0.94, 1.0], pathlib.Path(sys.argv[3]))
+        pictures(runs, ["soft", "intermediate", "hard"], [0.2, 0.46, 0.8, 0.86, 0.94, 1.0], pathlib.Path(sys.argv[3]))
 
 
 main()
