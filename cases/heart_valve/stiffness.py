@@ -180,7 +180,7 @@ def pictures(runs, names, times, folder):
         axes[2].loglog(run.time[1:], numpy.maximum(run.asymmetry(), 1e-17)[1:], lw=0.9)
     axes[0].set_ylabel("gap [mm]")
     axes[0].legend(fontsize=8, ncols=3)
-    axes[1].set_ylabel("both tips from the root,\ndownstream [mm]")
+    axes[1].set_ylabel("further downstream tip,\nfrom the root [mm]")
     axes[1].axhline(0, c="0.5", lw=0.8)
     axes[1].set_xlabel("time [s]")
     axes[2].set(ylabel="|y of upper + of lower tip|\n/ half width", xlabel="time [s]", ylim=(1e-16, 3))
