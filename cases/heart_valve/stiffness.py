@@ -99,7 +99,8 @@ class Run:
             "one_tip_upstream_of_root [mm]": -1e3 * min(upper.min(), lower.min()), "both_upstream [mm]": -1e3 * back.min(),
             "both_for [s]": float((back < 0).sum() * (self.time[1] - self.time[0])),
             # how far the tips are past each other while both are downstream of their roots
-            "overlap [mm]": 1e3 * float(passed[numpy.minimum(upper, lower) > 0].max()), "largest_asymmetry": float(self.asymmetry()[here].max()),
+            "overlap [mm]": 1e3 * float(passed[numpy.minimum(upper, lower) > 0].max()),
+            "largest_asymmetry": float(self.asymmetry()[here].max()),
             "reynolds": RHO * peak * self.half_width / self.viscosity,
             "cauchy": RHO * peak**2 * self.length**3 / self.stiffness, "n_r": self.n_r(peak),
         }
