@@ -99,7 +99,8 @@ class Run:
             "one_tip_upstream_of_root [mm]": -1e3 * min(upper.min(), lower.min()), "both_upstream [mm]": -1e3 * back.min(),
             "both_for [s]": float((back < 0).sum() * (self.time[1] - self.time[0])),
             # how far the tips are past each other while both are downstream of their roots
-            "overlap [mm]": 1e3 * float(passed[numpy.minimum(upper, lower) > 0].max()), "largest_asymmetry": float(self.asymmetry()[here].max()),
+            "overlap [mm]": 1e3 * float(passed[numpy.minimum(upper, lower) > 0].max()),
+            "largest_asymmetry": float(self.asymmetry()[here].max()),
             "reynolds": RHO * peak * self.half_width / self.viscosity,
             "cauchy": RHO * peak**2 * self.length**3 / self.stiffness, "n_r": self.n_r(peak),
         }
@@ -180,7 +181,7 @@ def pictures(runs, names, times, folder):
         axes[2].loglog(run.time[1:], numpy.maximum(run.asymmetry(), 1e-17)[1:], lw=0.9)
     axes[0].set_ylabel("gap [mm]")
     axes[0].legend(fontsize=8, ncols=3)
-    axes[1].set_ylabel("both tips from the root,\ndownstream [mm]")
+    axes[1].set_ylabel("further downstream tip,\nfrom the root [mm]")
     axes[1].axhline(0, c="0.5", lw=0.8)
     axes[1].set_xlabel("time [s]")
     axes[2].set(ylabel="|y of upper + of lower tip|\n/ half width", xlabel="time [s]", ylim=(1e-16, 3))
