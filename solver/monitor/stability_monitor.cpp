@@ -224,9 +224,9 @@ bool StabilityMonitor::outside_box(const ParticleGroup& group, std::size_t i) co
 /// How far in front of the walls' surface fluid particle i is [m], less than 0 behind it, 0 (in 3-D)
 /// beyond the support of all walls. The nearest particle of a wall says it; where that says behind, the best of those
 /// up to a spacing further away: at the edge of a body the nearest one may belong to another face than the one that the
-/// fluid is in front of.
+/// fluid is in front of. 0 where an elastic solid is nearer: it bulges beyond the plane of the wall that it is held by.
 double StabilityMonitor::in_front_of_walls(const ParticleStore& particles, std::span<const std::int32_t> near,
-                                           std::int32_t i) const {
+                                           std::span<const std::int32_t> near_elastic, std::int32_t i) const {
     const ParticleGroup& fluid = particles.fluid();
     const ParticleGroup& walls = particles.of(PartKind::rigid);
     struct Seen {
@@ -247,6 +247,13 @@ double StabilityMonitor::in_front_of_walls(const ParticleStore& particles, std::
     // In 3-D clusters list so few of the walls further away than the support that those few may show one face only.
     if (space_.dimension == 3 && nearest.square_of_distance > support_ * support_) return 0;
     if (nearest.in_front >= -space_.spacing) return nearest.in_front;
+    const ParticleGroup& elastic = particles.of(PartKind::elastic);
+    for (const std::int32_t j : near_elastic) {
+        double square = 0;
+        for (int axis = 0; axis < particles.dimension(); ++axis)
+            square += std::pow(fluid.data(Field::position, axis)[i] - elastic.data(Field::position, axis)[j], 2);
+        if (square < nearest.square_of_distance) return 0;
+    }
     const double reach = std::sqrt(nearest.square_of_distance) + space_.spacing;
     double best = nearest.in_front;
     for (const std::int32_t j : near)
@@ -261,8 +268,8 @@ void StabilityMonitor::for_those_that_left(const ParticleStore& particles, const
     const auto clusters = list.clusters(PartKind::fluid);
     for (std::size_t c = 0; c < clusters.size(); ++c)
         for (std::int32_t i = clusters[c].first; i < clusters[c].first + clusters[c].count; ++i) {
-            const double in_front =
-                in_front_of_walls(particles, list.neighbours(PartKind::fluid, c, PartKind::rigid), i);
+            const double in_front = in_front_of_walls(particles, list.neighbours(PartKind::fluid, c, PartKind::rigid),
+                                                      list.neighbours(PartKind::fluid, c, PartKind::elastic), i);
             const auto index = static_cast<std::size_t>(i);
             const bool behind = in_front < -space_.spacing;
             if ((behind || outside_box(fluid, index)) && !visit(index, behind ? -in_front : 0.0)) return;

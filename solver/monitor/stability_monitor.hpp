@@ -65,7 +65,7 @@ class StabilityMonitor {
                                             const FluidStep& step, double t) const;
     [[nodiscard]] bool outside_box(const ParticleGroup& group, std::size_t i) const;
     [[nodiscard]] double in_front_of_walls(const ParticleStore& particles, std::span<const std::int32_t> near,
-                                           std::int32_t i) const;
+                                           std::span<const std::int32_t> near_elastic, std::int32_t i) const;
     /// Calls visit(i, depth) for each of this rank's fluid particles that left, depth behind the wall's surface or 0
     /// for those outside the box, until it returns false.
     template <class Visit>
