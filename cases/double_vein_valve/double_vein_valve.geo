@@ -31,6 +31,7 @@ DefineConstant[
   casing         = {0.0115, Name "casing"},         // half height of the whole geometry
   leaflet_length = {0.010, Name "leaflet_length"},
   tip_gap        = {0.002, Name "tip_gap"},         // between the two tips of a valve
+  embolus        = {1, Name "embolus"},             // 0: none, blood in its place
   embolus_length = {0.0052, Name "embolus_length"}, // total length
   embolus_height = {0.0052, Name "embolus_height"},
   embolus_x      = {-0.034, Name "embolus_x"},      // position of its middle
@@ -181,11 +182,15 @@ Else
   Circle(405) = {405, 406, 400};
   Curve Loop(2) = {401, 402, 404, 405};
 EndIf
-Plane Surface(1) = {1, 2};
-Plane Surface(2) = {2};
+If (embolus > 0)
+  Plane Surface(1) = {1, 2};
+  Plane Surface(2) = {2};
+  Physical Surface("embolus") = {2};
+Else
+  Plane Surface(1) = {1};
+EndIf
 
 Physical Surface("blood") = {1};
-Physical Surface("embolus") = {2};
 Physical Surface("tissue") = {10, 11};
 Physical Curve("chambers") = {100, 101, 103:106, 108, 109, 130:137, 200, 201, 203:206, 208, 209, 230:237};
 Physical Curve("casing") = {138, 238};
