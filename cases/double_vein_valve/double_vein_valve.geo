@@ -30,6 +30,7 @@ DefineConstant[
   shell          = {0.0015, Name "shell"},          // thickness of the chambers' walls
   casing         = {0.0115, Name "casing"},         // half height of the whole geometry
   leaflet_length = {0.010, Name "leaflet_length"},
+  root_inset     = {0, Name "root_inset"},          // of the leaflets' roots, from half_width towards the centre line
   tip_gap        = {0.002, Name "tip_gap"},         // between the two tips of a valve
   embolus        = {1, Name "embolus"},             // 0: none, blood in its place
   embolus_length = {0.0052, Name "embolus_length"}, // total length
@@ -39,11 +40,11 @@ DefineConstant[
   embolus_tilt   = {0,      Name "embolus_tilt"}    // from the x axis, counter-clockwise
 ];
 
-rise = half_width - tip_gap / 2;  // of a leaflet, from its root towards the centre line
+rise = half_width - root_inset - tip_gap / 2;  // of a leaflet, from its root towards the centre line
 corner = chamber_length / 2;
 
-If (half_width <= 0 || tip_gap <= 0 || rim <= 0)
-  Error("half_width, tip_gap and rim must be positive");
+If (half_width <= 0 || tip_gap <= 0 || rim <= 0 || root_inset < 0)
+  Error("half_width, tip_gap and rim must be positive, and root_inset not negative");
   Abort;
 EndIf
 If (rise < 0)
@@ -51,7 +52,7 @@ If (rise < 0)
   Abort;
 EndIf
 If (leaflet_length <= rise || leaflet_length >= corner)
-  Error("leaflet_length must exceed half_width - tip_gap/2 and be below chamber_length/2");
+  Error("leaflet_length must exceed half_width - root_inset - tip_gap/2 and be below chamber_length/2");
   Abort;
 EndIf
 If (chamber_height <= half_width)
@@ -86,6 +87,8 @@ Point(6) = {right - axis, 0, 0};
 Point(7) = {shell_axis, 0, 0};
 Point(8) = {left + shell_axis, 0, 0};
 Point(9) = {right - shell_axis, 0, 0};
+
+roots[] = {};
 
 // Upper side (0) and lower side (1), both in the direction of x.
 For low In {0:1}
@@ -144,8 +147,17 @@ For low In {0:1}
   reach = Sqrt(leaflet_length^2 - rise^2);
   Point(first + 20) = {-corner + reach, side * tip_gap / 2, 0};
   Point(first + 21) = {right - corner + reach, side * tip_gap / 2, 0};
-  Line(first + 20) = {first + 4, first + 20};
-  Line(first + 21) = {first + 9, first + 21};
+  root_1 = first + 4;
+  root_2 = first + 9;
+  If (root_inset > 0)
+    root_1 = first + 22;
+    root_2 = first + 23;
+    Point(root_1) = {-corner, side * (half_width - root_inset), 0};
+    Point(root_2) = {right - corner, side * (half_width - root_inset), 0};
+  EndIf
+  roots[] += {root_1, root_2};
+  Line(first + 20) = {root_1, first + 20};
+  Line(first + 21) = {root_2, first + 21};
 EndFor
 
 // The open ends.
@@ -199,4 +211,4 @@ Physical Curve("channel_2") = {107, 207};
 Physical Curve("leaflets_1") = {120, 220};
 Physical Curve("leaflets_2") = {121, 221};
 Physical Point("channel_ends") = {102, 103, 107, 108, 202, 203, 207, 208};
-Physical Point("leaflet_roots") = {104, 109, 204, 209};
+Physical Point("leaflet_roots") = roots[];

@@ -16,6 +16,7 @@ import numpy
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
+from PIL import Image  # noqa: E402
 
 NAMES = ("D26", "D52", "D78", "F103", "L21", "L77", "L37", "L19", "L6", "none")
 SINUS = ("L77", "L37", "L19", "L6")
@@ -23,6 +24,12 @@ TIPS = (-10.46, 77.54)  # of valves 1 and 2 [mm]
 ROOTS = (-20.0, 68.0)
 PERIOD = 176.0
 HALF_LENGTH = {"D26": 1.3, "D52": 2.6, "D78": 3.9, "F103": 3.9, "L21": 10.5}  # [mm]
+
+
+def save(figure, picture):
+    """As a PNG of at most 64 colours, which is small."""
+    figure.savefig(picture, dpi=75)
+    Image.open(picture).convert("RGB").quantize(64).save(picture, optimize=True)
 
 
 def measures(run):
@@ -70,7 +77,7 @@ def draw_paths(study, picture):
         squeezed(panel, last)
         panel.set(xlabel="time [s]", xlim=(0, last))
         panel.legend(loc="upper left", bbox_to_anchor=(0.1, 1))
-    figure.savefig(picture, dpi=75)
+    save(figure, picture)
 
 
 def draw_states(picture, frames):
@@ -94,17 +101,18 @@ def draw_states(picture, frames):
         walls, _ = read(run / "walls.vtp")
         fluid, fields = read(run / "frames" / f"fluid_{number:06d}.vtp")
         solid, solid_fields = read(run / "frames" / f"solid_{number:06d}.vtp")
-        dots = panel.scatter(*fluid[:, :2].T, s=4, c=1e3 * fields["velocity"][:, 0], cmap="RdBu_r", vmin=-50, vmax=50, lw=0)
-        panel.scatter(*walls[:, :2].T, s=4, c="0.6", lw=0)
+        dots = panel.scatter(*fluid[:, :2].T, s=7, c=1e3 * fields["velocity"][:, 0], cmap="RdBu_r", vmin=-50, vmax=50, lw=0)
+        panel.scatter(*walls[:, :2].T, s=7, c="0.6", lw=0)
         wrapped = (solid[:, 0] + PERIOD / 2) % PERIOD - PERIOD / 2
-        body = solid_fields["part"] == solid_fields["part"].min()
-        panel.scatter(wrapped[~body], solid[~body, 1], s=4, c="k", lw=0)
-        panel.scatter(wrapped[body], solid[body, 1], s=5, c="C2" if "none" not in run.name else "k", lw=0)
-        panel.set_title(f"{NAMES[int(run.name[:4]) - 1]}, t = {time} s", fontsize=9, loc="left")
+        name = NAMES[int(run.name[:4]) - 1]
+        body = (solid_fields["part"] == 0) & (name != "none")
+        panel.scatter(wrapped[~body], solid[~body, 1], s=7, c="k", lw=0)
+        panel.scatter(wrapped[body], solid[body, 1], s=8, c="C2", lw=0)
+        panel.set_title(f"{name}, t = {time} s", fontsize=9, loc="left")
         panel.set(aspect="equal", xlim=(-PERIOD / 2, PERIOD / 2), ylim=(-13, 13), yticks=(-8, 0, 8))
     axes[-1, 0].set_xlabel("x [mm]")
     figure.colorbar(dots, ax=axes[:, 0], label="velocity along x [mm/s]", shrink=0.5)
-    figure.savefig(picture, dpi=70)
+    save(figure, picture)
 
 
 def crossing(time, x, level):
@@ -117,9 +125,9 @@ def print_table(study):
     """A line for each run."""
     for name, run in runs_of(study):
         late = run["time"] >= 3
-        peaks = [numpy.nanmax(run[f"velocity_{i}_x"][late], initial=numpy.nan) for i in (1, 2)]
+        peaks = [numpy.nanmax(run[f"velocity_{i}_x"][late], initial=0) for i in (1, 2)]
         flux, time = run["flux_1"], run["time"]
-        cycles = [numpy.trapz(flux[(time >= 3 * n) & (time <= 3 * n + 3)], dx=0.01) * 1e4 for n in range(int(time[-1] / 3 + 0.01))]
+        cycles = [1e4 * numpy.trapz(flux[(time >= 3 * n) & (time <= 3 * n + 3)], dx=0.01) for n in range(int(time[-1] / 3 + 0.01))]
         text = f"{name:5} to {time[-1]:5.2f} s, peaks {peaks[0]:.4f} {peaks[1]:.4f} m/s, net [cm^2] "
         text += " ".join(f"{value:.2f}" for value in cycles)
         if "embolus_x" in run:
