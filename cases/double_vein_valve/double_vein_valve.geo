@@ -30,7 +30,7 @@ DefineConstant[
   shell          = {0.0015, Name "shell"},          // thickness of the chambers' walls
   casing         = {0.0115, Name "casing"},         // half height of the whole geometry
   leaflet_length = {0.010, Name "leaflet_length"},
-  root_inset     = {0, Name "root_inset"},          // of the leaflets' roots, from half_width towards the centre line
+  root_inset     = {0, Name "root_inset"},          // the vein is narrower by this on both sides at the chambers' corners
   tip_gap        = {0.002, Name "tip_gap"},         // between the two tips of a valve
   embolus        = {1, Name "embolus"},             // 0: none, blood in its place
   embolus_length = {0.0052, Name "embolus_length"}, // total length
@@ -40,7 +40,8 @@ DefineConstant[
   embolus_tilt   = {0,      Name "embolus_tilt"}    // from the x axis, counter-clockwise
 ];
 
-rise = half_width - root_inset - tip_gap / 2;  // of a leaflet, from its root towards the centre line
+root = half_width - root_inset;   // half width at the chambers' corners
+rise = root - tip_gap / 2;  // of a leaflet, from its root towards the centre line
 corner = chamber_length / 2;
 
 If (half_width <= 0 || tip_gap <= 0 || rim <= 0 || root_inset < 0)
@@ -74,7 +75,7 @@ EndIf
 
 left = -chamber_length - channel_1;
 right = chamber_length + channel_2;
-axis = corner / Sqrt(1 - (half_width / chamber_height)^2);  // the ellipses' semi-axis along x
+axis = corner / Sqrt(1 - (root / chamber_height)^2);  // the ellipses' semi-axis along x
 shell_axis = (corner + rim) / Sqrt(1 - ((half_width + shell) / (chamber_height + shell))^2);
 
 // Centres of the ellipses, and a point on the long axis of each.
@@ -88,22 +89,20 @@ Point(7) = {shell_axis, 0, 0};
 Point(8) = {left + shell_axis, 0, 0};
 Point(9) = {right - shell_axis, 0, 0};
 
-roots[] = {};
-
 // Upper side (0) and lower side (1), both in the direction of x.
 For low In {0:1}
   side = 1 - 2 * low;
   first = 100 + 100 * low;
   Point(first + 0) = {left, side * chamber_height, 0};
-  Point(first + 1) = {left + corner, side * half_width, 0};
+  Point(first + 1) = {left + corner, side * root, 0};
   Point(first + 2) = {left + corner + rim, side * half_width, 0};
   Point(first + 3) = {-corner - rim, side * half_width, 0};
-  Point(first + 4) = {-corner, side * half_width, 0};  // root of valve 1
+  Point(first + 4) = {-corner, side * root, 0};  // root of valve 1
   Point(first + 5) = {0, side * chamber_height, 0};
-  Point(first + 6) = {corner, side * half_width, 0};
+  Point(first + 6) = {corner, side * root, 0};
   Point(first + 7) = {corner + rim, side * half_width, 0};
   Point(first + 8) = {right - corner - rim, side * half_width, 0};
-  Point(first + 9) = {right - corner, side * half_width, 0};  // root of valve 2
+  Point(first + 9) = {right - corner, side * root, 0};  // root of valve 2
   Point(first + 10) = {right, side * chamber_height, 0};
 
   // The third point of an ellipse lies on its axis along x.
@@ -147,17 +146,8 @@ For low In {0:1}
   reach = Sqrt(leaflet_length^2 - rise^2);
   Point(first + 20) = {-corner + reach, side * tip_gap / 2, 0};
   Point(first + 21) = {right - corner + reach, side * tip_gap / 2, 0};
-  root_1 = first + 4;
-  root_2 = first + 9;
-  If (root_inset > 0)
-    root_1 = first + 22;
-    root_2 = first + 23;
-    Point(root_1) = {-corner, side * (half_width - root_inset), 0};
-    Point(root_2) = {right - corner, side * (half_width - root_inset), 0};
-  EndIf
-  roots[] += {root_1, root_2};
-  Line(first + 20) = {root_1, first + 20};
-  Line(first + 21) = {root_2, first + 21};
+  Line(first + 20) = {first + 4, first + 20};
+  Line(first + 21) = {first + 9, first + 21};
 EndFor
 
 // The open ends.
@@ -211,4 +201,4 @@ Physical Curve("channel_2") = {107, 207};
 Physical Curve("leaflets_1") = {120, 220};
 Physical Curve("leaflets_2") = {121, 221};
 Physical Point("channel_ends") = {102, 103, 107, 108, 202, 203, 207, 208};
-Physical Point("leaflet_roots") = roots[];
+Physical Point("leaflet_roots") = {104, 109, 204, 209};
