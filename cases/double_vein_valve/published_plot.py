@@ -27,9 +27,9 @@ HALF_LENGTH = {"D26": 1.3, "D52": 2.6, "D78": 3.9, "F103": 3.9, "L21": 10.5}  # 
 
 
 def save(figure, picture):
-    """As a PNG of at most 64 colours, which is small."""
+    """As a PNG of at most 200 colours, which is small."""
     figure.savefig(picture, dpi=75)
-    Image.open(picture).convert("RGB").quantize(64).save(picture, optimize=True)
+    Image.open(picture).convert("RGB").quantize(200, method=Image.Quantize.FASTOCTREE).save(picture, optimize=True)
 
 
 def measures(run):
@@ -50,7 +50,7 @@ def runs_of(study):
 def squeezed(axes, end):
     """Shades the halves of the cycles in which channel 1, before valve 1, is squeezed."""
     for begin in numpy.arange(1.5, end, 3):
-        axes.axvspan(begin, min(begin + 1.5, end), color="0.93", lw=0)
+        axes.axvspan(begin, min(begin + 1.5, end), color="0.93", lw=0, zorder=0)
 
 
 def draw_paths(study, picture):
@@ -60,7 +60,7 @@ def draw_paths(study, picture):
     for name, run in runs_of(study):
         if name == "none":
             continue
-        side = name in SINUS
+        side = int(name in SINUS)
         x = 1e3 * run["embolus_x"]
         axes[side].plot(run["time"], x - x[0] if side else x, label=name)
         end[side] = max(end[side], run["time"][-1])
@@ -69,14 +69,14 @@ def draw_paths(study, picture):
         for valve, (root, tip) in enumerate(zip(ROOTS, TIPS)):
             low = root + cycle * PERIOD
             if low < top:
-                axes[0].axhspan(low, tip + cycle * PERIOD, color="C3", alpha=0.15, lw=0)
+                axes[0].axhspan(low, tip + cycle * PERIOD, color="C3", alpha=0.15, lw=0, zorder=1)
                 axes[0].text(0.05, low, f"valve {valve + 1}", fontsize=8, va="bottom")
     axes[0].set(title="channel 1", ylabel="x of the centre of mass [mm]")
     axes[1].set(title="sinus of valve 1", ylabel="displacement along the flow [mm]")
     for panel, last in zip(axes, end):
         squeezed(panel, last)
         panel.set(xlabel="time [s]", xlim=(0, last))
-        panel.legend(loc="upper left", bbox_to_anchor=(0.1, 1))
+        panel.legend(loc="center right")
     save(figure, picture)
 
 
@@ -127,7 +127,8 @@ def print_table(study):
         late = run["time"] >= 3
         peaks = [numpy.nanmax(run[f"velocity_{i}_x"][late], initial=0) for i in (1, 2)]
         flux, time = run["flux_1"], run["time"]
-        cycles = [1e4 * numpy.trapz(flux[(time >= 3 * n) & (time <= 3 * n + 3)], dx=0.01) for n in range(int(time[-1] / 3 + 0.01))]
+        cycles = [1e4 * numpy.trapz(flux[(time >= 3 * n) & (time <= 3 * n + 3)], dx=0.01)
+                  for n in range(int(time[-1] / 3 + 0.01))]
         text = f"{name:5} to {time[-1]:5.2f} s, peaks {peaks[0]:.4f} {peaks[1]:.4f} m/s, net [cm^2] "
         text += " ".join(f"{value:.2f}" for value in cycles)
         if "embolus_x" in run:
