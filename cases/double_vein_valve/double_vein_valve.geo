@@ -30,7 +30,9 @@ DefineConstant[
   shell          = {0.0015, Name "shell"},          // thickness of the chambers' walls
   casing         = {0.0115, Name "casing"},         // half height of the whole geometry
   leaflet_length = {0.010, Name "leaflet_length"},
+  root_inset     = {0, Name "root_inset"},          // the vein is narrower by this on both sides at the chambers' corners
   tip_gap        = {0.002, Name "tip_gap"},         // between the two tips of a valve
+  embolus        = {1, Name "embolus"},             // 0: none, blood in its place
   embolus_length = {0.0052, Name "embolus_length"}, // total length
   embolus_height = {0.0052, Name "embolus_height"},
   embolus_x      = {-0.034, Name "embolus_x"},      // position of its middle
@@ -38,11 +40,12 @@ DefineConstant[
   embolus_tilt   = {0,      Name "embolus_tilt"}    // from the x axis, counter-clockwise
 ];
 
-rise = half_width - tip_gap / 2;  // of a leaflet, from its root towards the centre line
+root = half_width - root_inset;   // half width at the chambers' corners
+rise = root - tip_gap / 2;  // of a leaflet, from its root towards the centre line
 corner = chamber_length / 2;
 
-If (half_width <= 0 || tip_gap <= 0 || rim <= 0)
-  Error("half_width, tip_gap and rim must be positive");
+If (half_width <= 0 || tip_gap <= 0 || rim <= 0 || root_inset < 0)
+  Error("half_width, tip_gap and rim must be positive, and root_inset not negative");
   Abort;
 EndIf
 If (rise < 0)
@@ -50,7 +53,7 @@ If (rise < 0)
   Abort;
 EndIf
 If (leaflet_length <= rise || leaflet_length >= corner)
-  Error("leaflet_length must exceed half_width - tip_gap/2 and be below chamber_length/2");
+  Error("leaflet_length must exceed half_width - root_inset - tip_gap/2 and be below chamber_length/2");
   Abort;
 EndIf
 If (chamber_height <= half_width)
@@ -72,7 +75,7 @@ EndIf
 
 left = -chamber_length - channel_1;
 right = chamber_length + channel_2;
-axis = corner / Sqrt(1 - (half_width / chamber_height)^2);  // the ellipses' semi-axis along x
+axis = corner / Sqrt(1 - (root / chamber_height)^2);  // the ellipses' semi-axis along x
 shell_axis = (corner + rim) / Sqrt(1 - ((half_width + shell) / (chamber_height + shell))^2);
 
 // Centres of the ellipses, and a point on the long axis of each.
@@ -91,15 +94,15 @@ For low In {0:1}
   side = 1 - 2 * low;
   first = 100 + 100 * low;
   Point(first + 0) = {left, side * chamber_height, 0};
-  Point(first + 1) = {left + corner, side * half_width, 0};
+  Point(first + 1) = {left + corner, side * root, 0};
   Point(first + 2) = {left + corner + rim, side * half_width, 0};
   Point(first + 3) = {-corner - rim, side * half_width, 0};
-  Point(first + 4) = {-corner, side * half_width, 0};  // root of valve 1
+  Point(first + 4) = {-corner, side * root, 0};  // root of valve 1
   Point(first + 5) = {0, side * chamber_height, 0};
-  Point(first + 6) = {corner, side * half_width, 0};
+  Point(first + 6) = {corner, side * root, 0};
   Point(first + 7) = {corner + rim, side * half_width, 0};
   Point(first + 8) = {right - corner - rim, side * half_width, 0};
-  Point(first + 9) = {right - corner, side * half_width, 0};  // root of valve 2
+  Point(first + 9) = {right - corner, side * root, 0};  // root of valve 2
   Point(first + 10) = {right, side * chamber_height, 0};
 
   // The third point of an ellipse lies on its axis along x.
@@ -181,11 +184,15 @@ Else
   Circle(405) = {405, 406, 400};
   Curve Loop(2) = {401, 402, 404, 405};
 EndIf
-Plane Surface(1) = {1, 2};
-Plane Surface(2) = {2};
+If (embolus > 0)
+  Plane Surface(1) = {1, 2};
+  Plane Surface(2) = {2};
+  Physical Surface("embolus") = {2};
+Else
+  Plane Surface(1) = {1};
+EndIf
 
 Physical Surface("blood") = {1};
-Physical Surface("embolus") = {2};
 Physical Surface("tissue") = {10, 11};
 Physical Curve("chambers") = {100, 101, 103:106, 108, 109, 130:137, 200, 201, 203:206, 208, 209, 230:237};
 Physical Curve("casing") = {138, 238};
