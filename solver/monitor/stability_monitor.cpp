@@ -221,16 +221,18 @@ bool StabilityMonitor::outside_box(const ParticleGroup& group, std::size_t i) co
     return false;
 }
 
-/// How far in front of the walls' surface fluid particle i is [m], less than 0 behind it, 0 (in 3-D)
-/// beyond the support of all walls. The nearest particle of a wall says it; where that says behind, the best of those
-/// up to a spacing further away: at the edge of a body the nearest one may belong to another face than the one that the
-/// fluid is in front of. 0 where an elastic solid is nearer: it bulges beyond the plane of the wall that it is held by.
+/// How far in front of the walls' surface fluid particle i is [m], less than 0 behind it, 0 where no wall says it. The
+/// nearest particle of a wall does; where that says behind, the best of those up to a spacing further away: at the edge
+/// of a body the nearest one may belong to another face than the one that the fluid is in front of. Nothing is said
+///   where an elastic solid is nearer: it bulges beyond the plane of the wall that it is held by;
+///   beyond the support of all walls, in 3-D, and in 2-D by one that the fluid is farther beside than behind: clusters
+///   list few of those walls, which may all be of one face.
 double StabilityMonitor::in_front_of_walls(const ParticleStore& particles, std::span<const std::int32_t> near,
                                            std::span<const std::int32_t> near_elastic, std::int32_t i) const {
     const ParticleGroup& fluid = particles.fluid();
     const ParticleGroup& walls = particles.of(PartKind::rigid);
     struct Seen {
-        double square_of_distance, in_front;
+        double square_of_distance, in_front, square_beside;
     };
     const auto seen = [&](std::int32_t j) {
         double square = 0, along_normal = 0;
@@ -239,13 +241,14 @@ double StabilityMonitor::in_front_of_walls(const ParticleStore& particles, std::
             square += d * d;
             along_normal += d * walls.data(Field::wall_normal, axis)[j];
         }
-        return Seen{square, along_normal - walls.data(Field::wall_distance)[j]};
+        return Seen{square, along_normal - walls.data(Field::wall_distance)[j], square - along_normal * along_normal};
     };
-    Seen nearest{std::numeric_limits<double>::infinity(), 0};
+    Seen nearest{std::numeric_limits<double>::infinity(), 0, 0};
     for (const std::int32_t j : near)
         if (const Seen wall = seen(j); wall.square_of_distance < nearest.square_of_distance) nearest = wall;
     // In 3-D clusters list so few of the walls further away than the support that those few may show one face only.
-    if (space_.dimension == 3 && nearest.square_of_distance > support_ * support_) return 0;
+    const bool is_far = nearest.square_of_distance > support_ * support_;
+    if (space_.dimension == 3 && is_far) return 0;
     if (nearest.in_front >= -space_.spacing) return nearest.in_front;
     const ParticleGroup& elastic = particles.of(PartKind::elastic);
     for (const std::int32_t j : near_elastic) {
@@ -254,7 +257,8 @@ double StabilityMonitor::in_front_of_walls(const ParticleStore& particles, std::
             square += std::pow(fluid.data(Field::position, axis)[i] - elastic.data(Field::position, axis)[j], 2);
         if (square < nearest.square_of_distance) return 0;
     }
-    const double reach = std::sqrt(nearest.square_of_distance) + space_.spacing;
+    const double reach =
+        is_far ? std::numeric_limits<double>::infinity() : std::sqrt(nearest.square_of_distance) + space_.spacing;
     double best = nearest.in_front;
     for (const std::int32_t j : near)
         if (const Seen wall = seen(j); wall.square_of_distance < reach * reach) best = std::max(best, wall.in_front);
