@@ -297,11 +297,22 @@ TEST(DoubleVeinValve, LeafletsChannelsAndEmbolusAreWhereTheyShouldBe) {
     }
 }
 
+TEST(DoubleVeinValve, MayHaveNoEmbolusAndNarrowRoots) {
+    const std::string cad_geometry = "double_vein_valve/double_vein_valve.geo";
+    const Geometry with = read_case(cad_geometry), without = read_case(cad_geometry, {{"embolus", 0}});
+    EXPECT_EQ(without.region("embolus"), nullptr);
+    EXPECT_NEAR(without.region("blood")->area(), with.region("blood")->area() + with.region("embolus")->area(), 1e-9);
+    const Geometry narrow = read_case(cad_geometry, {{"root_inset", 0.0005}});
+    EXPECT_LT(narrow.region("blood")->area(), with.region("blood")->area());
+}
+
 TEST(DoubleVeinValve, RefusesParametersThatMakeNoValves) {
     const std::string cad_geometry = "double_vein_valve/double_vein_valve.geo",
                       problem = "gmsh cannot read the geometry: ";
     EXPECT_EQ(error_of(cad_geometry, {{"leaflet_length", 0.02}}),
-              problem + "leaflet_length must exceed half_width - tip_gap/2 and be below chamber_length/2");
+              problem + "leaflet_length must exceed half_width - root_inset - tip_gap/2 and be below chamber_length/2");
+    EXPECT_EQ(error_of(cad_geometry, {{"root_inset", -0.001}}),
+              problem + "half_width, tip_gap and rim must be positive, and root_inset not negative");
     EXPECT_EQ(error_of(cad_geometry, {{"channel_1", 0.004}}), problem + "channel_1 and channel_2 must exceed 2 rim");
     EXPECT_EQ(error_of(cad_geometry, {{"casing", 0.008}}),
               problem + "shell must be positive, and casing must exceed chamber_height + shell");
