@@ -160,10 +160,11 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"no_limit", "force_above = \"1 mN\"\n", "",
               "scene.toml:62:8: break 'tear' has no limit: nothing would ever break\n"
               "  give force_above or strain_above"},
-        Fault{"mean_of_what_changes", "every = \"20 ms\"", "every = \"20 ms\"\nsolid_fields = ['mean_displacement']",
-              "scene.toml:54:8: output.solid_fields or a measure asks for mean_displacement, which is not available with "
-              "[[solidify]] or [[break]]\n"
-              "  leave mean_displacement out"},
+        Fault{
+            "mean_of_what_changes", "every = \"20 ms\"", "every = \"20 ms\"\nsolid_fields = ['mean_displacement']",
+            "scene.toml:54:8: output.solid_fields or a measure asks for mean_displacement, which is not available with "
+            "[[solidify]] or [[break]]\n"
+            "  leave mean_displacement out"},
         Fault{"aggregate_of_a_wall", "[[break]]",
               "[[measure]]\nname = \"size\"\nkind = \"aggregate\"\npart = \"wall\"\n\n[[break]]",
               "scene.toml:64:8: part of measure 'size': part 'wall' is of kind 'rigid', expected an elastic solid or a "
