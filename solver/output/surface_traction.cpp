@@ -48,18 +48,18 @@ bool is_hidden(const Vec& x, const std::vector<Vec>& points, double spacing) {
     });
 }
 
-}  // namespace
-
+/// Outward normals of a body's particles now; 0 of those without a surface.
 std::vector<Vec> surface_normals(const SpringBody& body, const ParticleSpace& space) {
     constexpr double reach = 1.6;     // spacings: more than the diagonal of a square, less than two
     constexpr double shortest = 0.5;  // of the sum that shows a surface: 2.4 at a flat face of a square lattice
     std::vector<Vec> at_rest(body.nodes());
     for (std::size_t node = 0; node < body.nodes(); ++node) at_rest[node] = body.rest_position(node);
     const PointGrid grid(space, reach * space.spacing, at_rest);
+    const auto all_images = images(space);
     std::vector<Vec> normals(body.nodes(), Vec::Zero());
     for (std::size_t node = 0; node < body.nodes(); ++node) {
         Vec inwards = Vec::Zero();
-        for (const auto& image_of : images(space))
+        for (const auto& image_of : all_images)
             grid.for_each_near(image_of(at_rest[node]), [&](std::size_t other, const Vec&) {
                 const Vec apart = nearest_image(image_of(body.position(other)) - body.position(node), space);
                 if (apart.norm() > 1e-6 * space.spacing) inwards += apart.normalized();
@@ -68,6 +68,8 @@ std::vector<Vec> surface_normals(const SpringBody& body, const ParticleSpace& sp
     }
     return normals;
 }
+
+}  // namespace
 
 SurfaceTraction::SurfaceTraction(const ParticleStore& particles, const SpringBodies& springs, const Ranks& ranks)
     : space_(particles.space()) {

@@ -22,10 +22,10 @@ namespace dmp::solver {
 /// sum is shorter than 1/2, nothing is missing beside the particle and it has no surface.
 ///
 /// p and G = grad v follow from the fluid within R = 4 spacings of the surface on the side of n, but for what is behind
-/// other particles of solids: functions that fit best (least squares, weighted with volume and (1 - r / R)^2), of p the
-/// linear one (LinearFit), of v one that is quadratic along n and linear across it, so that a parabola has its shear
-/// rate; linear along n too where fewer than three rows of fluid are there. The gradients that the scheme has of the
-/// first row of fluid are not used: the solid's own velocity, which does not go on as the fluid's does, is part of
+/// other particles of elastic solids: functions that fit best (least squares, weighted with volume and (1 - r / R)^2),
+/// of p the linear one (LinearFit), of v one that is quadratic along n and linear across it, so that a parabola has its
+/// shear rate; linear along n too where fewer than three rows of fluid are there. The gradients that the scheme has of
+/// the first row of fluid are not used: the solid's own velocity, which does not go on as the fluid's does, is part of
 /// them.
 ///
 /// So the two faces of a strip of two rows, and the two layers of a shell, have each their own traction.
@@ -55,8 +55,5 @@ class SurfaceTraction {
     const ParticleSpace& space_;
     std::vector<Sample> samples_;  ///< in the order of ids
 };
-
-/// Outward normals of a body's particles now; 0 of those without a surface.
-std::vector<Vec> surface_normals(const SpringBody& body, const ParticleSpace& space);
 
 }  // namespace dmp::solver

@@ -24,12 +24,6 @@ RunSummary with_disc(double diameter, double until) {
                     until);
 }
 
-double mean(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double value : values) sum += value;
-    return sum / static_cast<double>(values.size());
-}
-
 TEST(Emboli, SmallDiscPassesTheValve) {
     constexpr double diameter = 2.6e-3;
     const RunSummary run = with_disc(diameter, period);

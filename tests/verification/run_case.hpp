@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -105,6 +106,9 @@ inline const FrameField& required_field(const FrameGroup& group, const std::stri
     throw std::invalid_argument("the group has no field " + name);
 }
 
+inline double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 inline double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 inline double smallest(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
 

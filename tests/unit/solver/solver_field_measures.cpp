@@ -9,6 +9,7 @@
 #include "solver/simulation.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/mesher/meshed_text.hpp"
+#include "tests/unit/solver/small_scenes.hpp"
 #include "tests/unit/thrown.hpp"
 
 namespace dmp::tests::solver_field_measures_tests {
@@ -24,13 +25,7 @@ double value(const MeasureSeries& series, std::size_t row, const std::string& co
     return series.rows.at(row).at(static_cast<std::size_t>(found - series.names.begin()));
 }
 
-class LastFrame : public FrameSink {
-  public:
-    void write(const Frame& written) override { frame = written; }
-    Frame frame;
-};
-
-MeasureSeries run(const Texts& texts, LastFrame* sink = nullptr) {
+MeasureSeries run(const Texts& texts, FrameSink* sink = nullptr) {
     const Meshed meshed = mesh_texts(texts);
     RunOptions options;
     options.sink = sink;
@@ -172,10 +167,10 @@ Texts strip_between_lids() {
 }
 
 TEST(SurfaceTraction, has_the_shear_and_the_pressure_of_each_face) {
-    LastFrame last;
-    const MeasureSeries series = run(strip_between_lids(), &last);
-    const auto solid = std::ranges::find(last.frame.groups, "solid", &FrameGroup::name);
-    ASSERT_NE(solid, last.frame.groups.end());
+    KeptFrames kept;
+    const MeasureSeries series = run(strip_between_lids(), &kept);
+    const FrameGroup* solid = group_of(kept.frames.back(), "solid");
+    ASSERT_NE(solid, nullptr);
     const auto traction = std::ranges::find(solid->fields, "traction", &FrameField::name);
     ASSERT_NE(traction, solid->fields.end());
     EXPECT_EQ(traction->components, 3);
