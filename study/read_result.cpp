@@ -2,6 +2,8 @@
 #include "study/read_result.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "base/nearest_name.hpp"
@@ -50,10 +52,13 @@ Value<Quantity> read_level(const TomlNode& node) {
     throw wrong_kind(node, "result.level", "a number, with the unit of the measure if it has one");
 }
 
+bool duration_varies(const Study& study) {
+    return std::ranges::any_of(study.keys(), [](const VariedKey& key) { return *key.key == "run.duration"; });
+}
+
 /// The window against the run, where all runs have the same duration.
 void check_window(const Result& result, const Study& study) {
-    for (const VariedKey& key : study.keys())
-        if (*key.key == "run.duration") return;
+    if (duration_varies(study)) return;
     const double duration = *study.scene.run.duration;
     const double until = result.until.given() ? *result.until : duration;
     const auto seconds = [](double value) { return exact_text(value) + " s"; };
@@ -73,16 +78,49 @@ void check_window(const Result& result, const Study& study) {
                          "give a longer window, or the right period");
 }
 
+void check_is_new(const Value<std::string>& name, const Study& study) {
+    for (const Result& other : study.results)
+        if (*other.name == *name)
+            throw InputError(name.location, "there are two results '" + *name + "'",
+                             "give each result a name of its own: it is a column of results.csv");
+}
+
+/// One result of each time of this length [s], NAME_1, NAME_2 and so on.
+std::vector<Result> split(const Result& whole, const Value<double>& every, const Study& study) {
+    if (!whole.until.given() && duration_varies(study))
+        throw InputError(every.location, "result.every: run.duration varies, and with it how many columns there are",
+                         "add 'until' to the result");
+    const double until = whole.until.given() ? *whole.until : *study.scene.run.duration;
+    const double times = (until - *whole.from) / *every, count = std::round(times);
+    if (std::abs(times - count) > 1e-6 || count < 1)
+        throw InputError(every.location,
+                         "result.every: the window of " + exact_text(until - *whole.from) + " s is not a whole " +
+                             "number of times " + exact_text(*every) + " s",
+                         "change 'from', 'until' or 'every'");
+    constexpr double most = 1000;
+    if (count > most)
+        throw InputError(every.location,
+                         "result.every: it makes " + exact_text(count) + " columns of results.csv, more than 1000",
+                         "give a longer time");
+    std::vector<Result> parts;
+    for (int k = 1; k <= static_cast<int>(count); ++k) {
+        Result part = whole;
+        part.name.value = *whole.name + "_" + std::to_string(k);
+        check_is_new(part.name, study);
+        part.from = {*whole.from + (k - 1) * *every, every.location};
+        part.until = {*whole.from + k * *every, every.location};
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
 }  // namespace
 
-Result read_result(const TomlNode& node, const Study& study) {
-    const TomlTable table(node, "result", {"name", "measure", "column", "reduce", "from", "until", "level", "period"});
+std::vector<Result> read_results(const TomlNode& node, const Study& study) {
+    const TomlTable table(node, "result",
+                          {"name", "measure", "column", "reduce", "from", "until", "every", "level", "period"});
     Result result;
     result.name = table.need("name", name());
-    for (const Result& other : study.results)
-        if (*other.name == *result.name)
-            throw InputError(result.name.location, "there are two results '" + *result.name + "'",
-                             "give each result a name of its own: it is a column of results.csv");
     for (const std::string reserved : {"run", "exit_code", "error"})
         if (*result.name == reserved)
             throw InputError(result.name.location, "a result may not have the name '" + reserved + "'",
@@ -103,7 +141,9 @@ Result read_result(const TomlNode& node, const Study& study) {
     if (needed(table, "period", "a time such as \"1 s\"", *result.reduce, {Reduction::amplitude, Reduction::phase}))
         result.period = table.need("period", quantity("1 s", positive));
     check_window(result, study);
-    return result;
+    if (table.find("every") != nullptr) return split(result, table.need("every", quantity("1 s", positive)), study);
+    check_is_new(result.name, study);
+    return {result};
 }
 
 double level_in(const Result& result, const std::string& unit) {

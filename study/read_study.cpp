@@ -159,7 +159,8 @@ Study parse_study(const std::string& text, const std::string& file, const std::v
     for (const TomlNode* node : tables_of(document, "vary")) study.vary.push_back(read_vary(*node, study));
     check_axes(study);
     check_overrides(study);
-    for (const TomlNode* node : tables_of(document, "result")) study.results.push_back(read_result(*node, study));
+    for (const TomlNode* node : tables_of(document, "result"))
+        for (Result& result : read_results(*node, study)) study.results.push_back(std::move(result));
     const Points points(study);  // which refuses what does not go together
     check_formulas(study, points);
     study.plots = read_plots(document, study, points);

@@ -4,7 +4,7 @@
 
     python3 cases/vein_valve/published.py out/published out/published.csv [LAST_CYCLE]
 
-A row is a run and one of its cycles of 4 s from the second on. Needs python3-vtk9 and numpy, as docs/python.md says.
+A row is a run and one of its cycles of 4 s from the second on. Needs python3-vtk9 and python3-scipy, as docs/python.md says.
 """
 
 import csv
@@ -13,6 +13,7 @@ import sys
 import xml.etree.ElementTree
 
 import numpy
+import scipy.spatial
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
@@ -92,7 +93,7 @@ def of_frames(run, start, end):
         if shear[-1] == max(shear):
             at = 1e3 * position[fluid["shear_stress"].argmax()]
         chamber = numpy.abs(position[:, 0]) < 0.02
-        distance = numpy.linalg.norm(position[chamber][:, None, :2] - leaflet[None, :, :2], axis=2).min(axis=1)
+        distance, _ = scipy.spatial.cKDTree(leaflet[:, :2]).query(position[chamber][:, :2])
         beside.append(fluid["von_mises"][chamber][distance < BESIDE].mean())
         away.append(fluid["von_mises"][chamber][distance >= BESIDE].mean())
         if inside is None:

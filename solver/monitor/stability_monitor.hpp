@@ -24,6 +24,8 @@ class StabilityMonitor {
 
     /// Walls stand this far from where they were drawn at most [m], and the fluid with them.
     void walls_have_moved(double distance) { walls_moved_ = distance; }
+    /// Says which void opened in the fluid; "": none (VoidMonitor).
+    void void_opened(const std::string& text) { void_ = text; }
 
     struct Finding {
         std::string problem;     ///< the first bad particle: id, part, place, speed, the limit it broke
@@ -77,6 +79,7 @@ class StabilityMonitor {
     double sound_speed_;
     double support_;
     double walls_moved_ = 0;
+    std::string void_;
 };
 
 }  // namespace dmp::solver

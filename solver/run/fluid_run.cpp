@@ -53,6 +53,7 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
       events_(scene_, set, ranks_),
       monitor_(scene_, particles_.space(), rest_densities(scene_, set), settings_.sound_speed, settings_.support),
       concentrations_(scene_),
+      voids_(scene_, settings_.corrected && !settings_.free_surface),
       reached_(scene_, sound_),
       strain_(fluid_.springs()),
       frame_times_(scene_.output.every),
@@ -162,6 +163,7 @@ void FluidRun::archive_accounts(Archive& file) {
     reached_.archive(file);
     velocity_change_.archive(file);
     strain_.archive(file);
+    voids_.archive(file);
     file("mass_at_start", at_start_.mass);
     file("momentum_at_start", at_start_.momentum);
     measures_.archive(file);
@@ -198,6 +200,7 @@ void FluidRun::write_what_is_due(FrameSink* sink) {
 }
 
 void FluidRun::stop_if_diverged(FrameSink* sink) {
+    monitor_.void_opened(voids_.text());
     stop_on_violation(sink, text_of(monitor_.check(particles_, fluid_, extremes_, time_)));
     stop_if_species_diverged(sink);
 }
@@ -309,6 +312,8 @@ void FluidRun::advance(const RunOptions& options, const Step& step) {
     std::vector<Warning> warnings = reached_.add(extremes_);
     if (SpringStrain::wants(step_))
         std::ranges::move(strain_.add(fluid_.springs(), scene_), std::back_inserter(warnings));
+    if (VoidMonitor::wants(step_))
+        if (const auto opened = voids_.look(particles_, ranks_, time_)) warnings.push_back(*opened);
     if (!monitor_.fluid_is_well(extremes_) || step_ % steps_between_checks == 0) stop_if_diverged(options.sink);
     if (VelocityChange::wants(step_)) velocity_change_.add(particles_, ranks_, time_);
     for (const Warning& warning : warnings)
@@ -381,6 +386,7 @@ RunSummary FluidRun::summary() const {
     summary.strains = strain_.largest();
     std::ranges::move(strain_.warnings(scene_), std::back_inserter(summary.warnings));
     summary.density_drift = fluid_.reference().density_drift();
+    if (const auto opened = voids_.warning()) summary.warnings.push_back(*opened);
     if (const auto drift = drift_warning(summary.density_drift)) summary.warnings.push_back(*drift);
     summary.lost = static_cast<std::size_t>(
         ranks_.sum(static_cast<std::int64_t>(monitor_.lost(particles_, fluid_.neighbours().list()))));

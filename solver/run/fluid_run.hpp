@@ -5,6 +5,7 @@
 
 #include "solver/monitor/concentration_monitor.hpp"
 #include "solver/monitor/stability_monitor.hpp"
+#include "solver/monitor/void_monitor.hpp"
 #include "solver/output/mean_displacement.hpp"
 #include "solver/output/measures.hpp"
 #include "solver/output/residence_times.hpp"
@@ -79,6 +80,7 @@ class FluidRun final : public Run {
     BodyEvents events_;
     StabilityMonitor monitor_;
     ConcentrationMonitor concentrations_;
+    VoidMonitor voids_;
 
     double time_ = 0;  ///< [s]
     std::int64_t step_ = 0;

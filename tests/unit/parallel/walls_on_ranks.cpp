@@ -4,6 +4,7 @@
 
 #include "tests/modules.hpp"
 #include "tests/unit/solver/mirrored_water.hpp"
+#include "tests/unit/solver/water_beside_a_block.hpp"
 
 namespace dmp::tests::walls_on_ranks_tests {
 namespace {
@@ -16,6 +17,7 @@ void expect_same_bits(const WalledWater& made) {
     EXPECT_EQ(shared.state_hash, alone.state_hash);
     EXPECT_EQ(shared.impulse_of_fixed, alone.impulse_of_fixed);
     EXPECT_EQ(shared.lost, 0U);
+    EXPECT_EQ(voids_of(shared), voids_of(alone));
 }
 
 TEST(WallsOnRanks, a_box_that_is_carried_along_and_turned) {
@@ -35,6 +37,12 @@ TEST(WallsOnRanks, a_belt_that_crosses_a_period) {
     WalledWater made(8, 6, {"plates"}, [](int column, int) { return column >= 0 && column < 8 ? 1 : 0; });
     made.make_periodic(0);
     made.part(1).velocity = std::array{formula_of("1"), Expression(), Expression()};
+    expect_same_bits(made);
+}
+
+TEST(WallsOnRanks, a_block_that_leaves_a_void_behind) {
+    const WalledWater made = water_beside_a_block(2);
+    EXPECT_EQ(voids_of(run_of(made)).size(), 1U);
     expect_same_bits(made);
 }
 

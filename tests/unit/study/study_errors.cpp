@@ -181,6 +181,12 @@ INSTANTIATE_TEST_SUITE_P(
         {"window_until_after_the_end", "from = \"2 s\"", "until = \"5 s\"",
          "study.toml:15:9: result.until: the runs end at 4 s, before 5 s\n"
          "  give a time until then, or a longer run.duration in the scene"},
+        {"cycles_that_do_not_fit", "from = \"2 s\"", "every = \"1.5 s\"",
+         "study.toml:15:9: result.every: the window of 4 s is not a whole number of times 1.5 s\n"
+         "  change 'from', 'until' or 'every'"},
+        {"too_many_cycles", "from = \"2 s\"", "every = \"1 ms\"",
+         "study.toml:15:9: result.every: it makes 4000 columns of results.csv, more than 1000\n"
+         "  give a longer time"},
         {"result_twice", "name = \"reached\"", "name = \"opening\"",
          "study.toml:18:8: there are two results 'opening'\n"
          "  give each result a name of its own: it is a column of results.csv"},

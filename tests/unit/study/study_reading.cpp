@@ -111,6 +111,31 @@ TEST(ReadStudy, MaySayWhatItsRunsLeaveOut) {
     EXPECT_EQ(*none.left_out, LeftOut{});
 }
 
+TEST(ReadStudy, AResultOfEachCycleHasItsWindow) {
+    const Study study = study_of(study_with("from = \"2 s\"", "from = \"1 s\"\nevery = \"1.5 s\""));
+    ASSERT_EQ(study.results.size(), 3U);
+    for (int k = 0; k < 2; ++k) {
+        const Result& result = study.results.at(static_cast<std::size_t>(k));
+        EXPECT_EQ(*result.name, "opening_" + std::to_string(k + 1));
+        EXPECT_EQ(*result.reduce, Reduction::maximum);
+        EXPECT_DOUBLE_EQ(*result.from, 1 + 1.5 * k);
+        EXPECT_DOUBLE_EQ(*result.until, 2.5 + 1.5 * k);
+    }
+    EXPECT_EQ(*study.results[2].name, "reached");
+}
+
+TEST(ReadStudy, ResultsOfCyclesHaveNamesOfTheirOwn) {
+    const std::string cycles = study_with("from = \"2 s\"", "every = \"2 s\"");
+    std::string twice = cycles;
+    twice.replace(twice.find("name = \"reached\""), 16, "name = \"opening_2\"");
+    EXPECT_EQ(study_fault(twice),
+              "study.toml:18:8: there are two results 'opening_2'\n"
+              "  give each result a name of its own: it is a column of results.csv");
+    EXPECT_EQ(study_fault(cycles + "[[vary]]\nkey = \"run.duration\"\nvalues = [\"2 s\", \"4 s\"]\n"),
+              "study.toml:15:9: result.every: run.duration varies, and with it how many columns there are\n"
+              "  add 'until' to the result");
+}
+
 TEST(ReadStudy, LevelsAreOfTheMeasuresQuantity) {
     const Study study = study_of(good_study);
     EXPECT_EQ(level_in(study.results[1], "m^3/s"), 2e-6);

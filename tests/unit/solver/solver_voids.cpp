@@ -1,0 +1,60 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Voids that open in a liquid without a free surface.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "tests/modules.hpp"
+#include "tests/unit/solver/water_beside_a_block.hpp"
+#include "tests/unit/thrown.hpp"
+
+namespace dmp::tests::solver_voids_tests {
+namespace {
+
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+TEST(Voids, open_behind_a_block_that_moves_faster_than_water_can_follow) {
+    EXPECT_THAT(voids_of(run_of(water_beside_a_block(0.1))), IsEmpty());
+    // At x < 0.4 m, where the block was, and y < 0.7 m.
+    EXPECT_THAT(voids_of(run_of(water_beside_a_block(2))),
+                ElementsAre(AllOf(ContainsRegex(R"(of 'water' at \(0\.[0-3][0-9]* m, 0\.[0-6][0-9]* m\))"),
+                                  HasSubstr("particles.spacing of 0.1 m is too large"),
+                                  HasSubstr("compare with a smaller spacing"))));
+}
+
+TEST(Voids, are_named_by_a_run_that_was_resumed_after_them) {
+    WalledWater made = water_beside_a_block(2);
+    made.scene.output.every = 0.35;
+    const auto folder = std::filesystem::temp_directory_path() / ("dmp_voids_" + std::to_string(::getpid()));
+    const auto whole = voids_of(run_of(made));
+    EXPECT_THAT(whole, SizeIs(1));
+    EXPECT_EQ(voids_of(run_in_two_parts(made, folder)), whole);
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Voids, are_a_likely_cause_of_a_run_that_diverges) {
+    const WalledWater made = water_beside_a_block(4);
+    EXPECT_THAT(text_thrown<DivergenceError>([&] { (void)run_of(made); }),
+                ContainsRegex("likely causes: flow.largest_speed .*; or a void opened in the fluid by 0\\.[0-9]+ s"));
+}
+
+TEST(Voids, are_not_looked_for_in_water_with_a_free_surface) {
+    WalledWater made = water_beside_a_block(2);
+    ParticleSet& set = made.particles;
+    for (std::size_t i = 0; i < set.size(); ++i)  // without the lid
+        if (set.part[i] == 1 && set.position[i][1] > 0.8) set.position[i][1] += 1;
+    set.box.high[1] += 1;
+    EXPECT_THAT(voids_of(run_of(made)), IsEmpty());
+}
+
+}  // namespace
+}  // namespace dmp::tests::solver_voids_tests
