@@ -153,10 +153,19 @@ bool SweepRuns::is_held(std::size_t index, const fs::path& run) {
     return true;
 }
 
-void SweepRuns::start(std::size_t index, study::Point point) {
-    if (read_file(study_.scene.file) != scene_text_)
+void SweepRuns::check_scene() {
+    const std::string text = read_file(study_.scene.file);
+    if (text == scene_text_) return;
+    study::Study now = study_;
+    now.scene = read_scene(study_.scene.file, study_.overrides);
+    if (study::identity_of(now) != study::identity_of(study_))
         throw InputError({study_.scene.file, 0, 0}, "the scene was changed while its study ran",
                          "Put it back and go on with --resume, or start the changed study in another folder.");
+    scene_text_ = text;  // only comments or the order of keys
+}
+
+void SweepRuns::start(std::size_t index, study::Point point) {
+    check_scene();
     const RunWords words =
         words_for_run(study_, point, folder_.path(), settings_.program, settings_.threads, settings_.left_out);
     if (!words.note.empty()) say(words.note);

@@ -67,6 +67,8 @@ class SweepRuns {
     [[nodiscard]] bool has_room(const study::Point& point);
     /// Whether another process writes into this run's folder; says so once.
     [[nodiscard]] bool is_held(std::size_t index, const std::filesystem::path& run);
+    /// Throws InputError where the scene has other values than those that the study began with.
+    void check_scene();
     void collect(bool stopping);
     void take_end(const Running& running, const RunEnd& end, bool stopping);
     /// Runs whose end nobody has seen are gone on with later.

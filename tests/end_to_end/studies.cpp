@@ -338,6 +338,18 @@ TEST_F(SmallRuns, MayHaveAnotherValueOfTheScene) {
     EXPECT_THAT(sweep("out", {"--resume"}).errors, HasSubstr("it holds another study"));
 }
 
+TEST_F(SmallRuns, GoOnWhenAScenesCommentsChangeAndStopWhenItsValuesDo) {
+    EXPECT_EQ(
+        sweep_during("out", [&](pid_t) { folder_.write("scene.toml", "# why\n" + folder_.read("scene.toml")); }).code,
+        0);
+    EXPECT_THAT(table("out"), SizeIs(3));
+    const Outcome stopped = sweep_during("other", [&](pid_t) {
+        folder_.replace("scene.toml", "density = \"1056 kg/m^3\"", "density = \"1050 kg/m^3\"");
+    });
+    EXPECT_EQ(stopped.code, 2);
+    EXPECT_THAT(stopped.errors, HasSubstr("scene.toml: the scene was changed while its study ran"));
+}
+
 TEST_F(SmallRuns, AreCopiesOfOneProcess) {
     std::vector<pid_t> parents;
     std::string words;
