@@ -53,6 +53,11 @@ constexpr std::array<std::string_view, 3> free_part_keys{"viscosity", "surface_v
 constexpr std::array<std::string_view, 10> spring_keys{
     "bending_stiffness", "axial_stiffness", "shear_stiffness",   "youngs_modulus", "elastic_law",
     "bond_damping",      "damping_ratio",   "damping_frequency", "drag",           "mass_damping"};
+/// Of rules of which each event, or each look, asks anew.
+constexpr std::array<std::string_view, 10> solidify_keys_of_events{
+    "until",      "rule",         "reach",           "probability",       "seed",
+    "most_bonds", "stress_above", "residence_above", "seed_stress_above", "seed_residence_above"};
+constexpr std::array<std::string_view, 3> break_limits{"force_above", "stress_above", "strain_above"};
 constexpr std::array<std::string_view, 2> motion_keys{"velocity", "spin"};
 
 /// A number or a formula, as it stands in a scene without its quotes.
@@ -102,6 +107,8 @@ std::string why_fixed(const Scene& scene, const ValueDifference& difference) {
     if (table == "flow") return acts_at_start;
     if (table == "part") return why_fixed_in_part(scene, path.substr(first + 1, last - first - 1), key, difference);
     if (table == "join") return key == "damping" && !scene.changes_bodies() ? "" : other_particles;
+    if (table == "solidify" && is_in(solidify_keys_of_events, key)) return "";
+    if (table == "break" && is_in(break_limits, key)) return "";
     return other_meaning;
 }
 

@@ -44,6 +44,15 @@ TEST(StartFromState, MayNotChangeParticlesNorWhatTheStateMeans) {
                     "numerics.background_pressure", "part.blood.density", "part.leaflets.mass_per_length"));
 }
 
+TEST(StartFromState, MayChangeHowLiquidTurnsSolidAndWhenBondsBreak) {
+    const Scene before = of_case("heart_valve/breakup.toml");
+    EXPECT_THAT(fixed_in_start(resolved_scene(before),
+                               of_case("heart_valve/breakup.toml",
+                                       {"solidify.clot.probability=0.1", "solidify.clot.until=\"0.9 s\"",
+                                        "solidify.clot.seed=7", "break.tear.force_above=\"1 N\""})),
+                IsEmpty());
+}
+
 TEST(StartFromState, MayNotChangeSpringsThatAreInTheState) {
     const auto fixed = fixed_in_start(resolved_scene(of_case("clotting")),
                                       of_case("clotting", {"solidify.clot.bond_stiffness=\"1 N/m\""}));
