@@ -57,6 +57,8 @@ constexpr std::array<std::string_view, 10> spring_keys{
 constexpr std::array<std::string_view, 10> solidify_keys_of_events{
     "until",      "rule",         "reach",           "probability",       "seed",
     "most_bonds", "stress_above", "residence_above", "seed_stress_above", "seed_residence_above"};
+/// Of those, the ones that decide by whether they are given what seeds are, or what the state has to hold.
+constexpr std::array<std::string_view, 3> given_or_not{"residence_above", "seed_stress_above", "seed_residence_above"};
 constexpr std::array<std::string_view, 3> break_limits{"force_above", "stress_above", "strain_above"};
 constexpr std::array<std::string_view, 2> motion_keys{"velocity", "spin"};
 
@@ -107,7 +109,9 @@ std::string why_fixed(const Scene& scene, const ValueDifference& difference) {
     if (table == "flow") return acts_at_start;
     if (table == "part") return why_fixed_in_part(scene, path.substr(first + 1, last - first - 1), key, difference);
     if (table == "join") return key == "damping" && !scene.changes_bodies() ? "" : other_particles;
-    if (table == "solidify" && is_in(solidify_keys_of_events, key)) return "";
+    const bool stays_given = !difference.before.empty() && !difference.now.empty();
+    if (table == "solidify" && is_in(solidify_keys_of_events, key) && (stays_given || !is_in(given_or_not, key)))
+        return "";
     if (table == "break" && is_in(break_limits, key)) return "";
     return other_meaning;
 }

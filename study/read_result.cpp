@@ -58,11 +58,12 @@ bool duration_varies(const Study& study) {
 
 /// The window against the run, where all runs have the same duration.
 void check_window(const Result& result, const Study& study) {
-    if (duration_varies(study)) return;
+    const bool varies = duration_varies(study);
+    if (varies && !result.until.given()) return;
     const double duration = *study.scene.run.duration;
     const double until = result.until.given() ? *result.until : duration;
     const auto seconds = [](double value) { return exact_text(value) + " s"; };
-    if (result.until.given() && until > duration * (1 + 1e-9))
+    if (!varies && until > duration * (1 + 1e-9))
         throw InputError(result.until.location,
                          "result.until: the runs end at " + seconds(duration) + ", before " + seconds(until),
                          "give a time until then, or a longer run.duration in the scene");
@@ -90,25 +91,32 @@ std::vector<Result> split(const Result& whole, const Value<double>& every, const
     if (!whole.until.given() && duration_varies(study))
         throw InputError(every.location, "result.every: run.duration varies, and with it how many columns there are",
                          "add 'until' to the result");
-    const double until = whole.until.given() ? *whole.until : *study.scene.run.duration;
-    const double times = (until - *whole.from) / *every, count = std::round(times);
-    if (std::abs(times - count) > 1e-6 || count < 1)
+    const double until = whole.until.given() ? *whole.until : *study.scene.run.duration, window = until - *whole.from;
+    const double count = std::round(window / *every);
+    if (count < 1 || std::abs(window - count * *every) > 1e-6 * *every)
         throw InputError(every.location,
-                         "result.every: the window of " + exact_text(until - *whole.from) + " s is not a whole " +
-                             "number of times " + exact_text(*every) + " s",
+                         "result.every: the window of " + exact_text(window) + " s does not divide into parts of " +
+                             exact_text(*every) + " s",
                          "change 'from', 'until' or 'every'");
+    if (whole.period.given() && *every < *whole.period * (1 - 1e-9))
+        throw InputError(every.location,
+                         "result.every: parts of " + exact_text(*every) + " s are shorter than the period of " +
+                             exact_text(*whole.period) + " s",
+                         "give longer parts, or the right period");
     constexpr double most = 1000;
     if (count > most)
-        throw InputError(every.location,
-                         "result.every: it makes " + exact_text(count) + " columns of results.csv, more than 1000",
-                         "give a longer time");
+        throw InputError(
+            every.location,
+            "result.every: it makes " + exact_text(count) + " columns of results.csv, more than " + exact_text(most),
+            "give longer parts, or a shorter window");
+    const auto end_of = [&](int k) { return k == count ? until : *whole.from + window * k / count; };
     std::vector<Result> parts;
     for (int k = 1; k <= static_cast<int>(count); ++k) {
         Result part = whole;
         part.name.value = *whole.name + "_" + std::to_string(k);
         check_is_new(part.name, study);
-        part.from = {*whole.from + (k - 1) * *every, every.location};
-        part.until = {*whole.from + k * *every, every.location};
+        part.from = {end_of(k - 1), every.location};
+        part.until = {end_of(k), every.location};
         parts.push_back(std::move(part));
     }
     return parts;

@@ -156,12 +156,18 @@ bool SweepRuns::is_held(std::size_t index, const fs::path& run) {
 void SweepRuns::check_scene() {
     const std::string text = read_file(study_.scene.file);
     if (text == scene_text_) return;
-    study::Study now = study_;
-    now.scene = read_scene(study_.scene.file, study_.overrides);
-    if (study::identity_of(now) != study::identity_of(study_))
-        throw InputError({study_.scene.file, 0, 0}, "the scene was changed while its study ran",
+    const auto refuse = [&](const std::string& why) {
+        throw InputError({study_.scene.file, 0, 0}, "the scene was changed while its study ran" + why,
                          "Put it back and go on with --resume, or start the changed study in another folder.");
-    scene_text_ = text;  // only comments or the order of keys
+    };
+    study::Study now = study_;
+    try {
+        now.scene = read_scene(study_.scene.file, study_.overrides);
+    } catch (const InputError& error) {
+        refuse(std::string(", and cannot be read: ") + error.problem());
+    }
+    if (study::identity_of(now) != study::identity_of(study_)) refuse("");
+    scene_text_ = text;  // the runs are the same: what changed is a comment, the title or the number of threads
 }
 
 void SweepRuns::start(std::size_t index, study::Point point) {

@@ -188,7 +188,7 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
         causes.emplace_back(5.5, setting("contact.range", scene_.contact.range) +
                                      " spacings makes particles push that do not touch; the default is " +
                                      number_text(usual_range));
-    if (!void_.empty()) causes.emplace_back(4.5, void_ + ", where solids part faster than particles can follow");
+    if (!void_.empty()) causes.emplace_back(4.5, void_ + ", which particles could not fill");
     if (violation.stuck) causes.emplace_back(4, "a particle lies all but on that body and pushes it away");
     if (!springs.empty() && !springs.implicit()) {
         const double strain = largest_strain(springs);
@@ -206,8 +206,7 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
 
     std::stable_sort(causes.begin(), causes.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     // Where something is known to be wrong, what may be wrong in any run says nothing.
-    if (causes.front().first >= 5.5 || !void_.empty())
-        std::erase_if(causes, [](const auto& cause) { return cause.first <= 1; });
+    if (causes.front().first >= 5.5) std::erase_if(causes, [](const auto& cause) { return cause.first <= 1; });
     std::string text = causes.size() > 1 ? "likely causes: " : "likely cause: ";
     for (std::size_t k = 0; k < causes.size(); ++k) text += (k > 0 ? "; or " : "") + causes[k].second;
     return text;

@@ -11,8 +11,10 @@ namespace dmp::solver {
 
 namespace {
 
-/// A flat free surface has 1.5; inside the cases' fluids it is up to 1.05.
+/// A flat free surface has 1.67 in 2-D; inside the cases' fluids it is up to 1.07, beside clots 1.17.
 constexpr double largest_correction = 1.35;
+/// With fewer neighbours, as at a flat free surface in 3-D, B is 1, and with enough it is never exactly 1.
+constexpr double too_few_for_a_correction = 1;
 /// One or two beside solids that part may have it for some steps, and then it closes.
 constexpr std::int64_t least_at_surface = 3;
 
@@ -33,7 +35,7 @@ std::optional<Warning> VoidMonitor::look(const ParticleStore& particles, const R
     };
     for (std::size_t i = 0; i < fluid.owned(); ++i) {
         const double correction = fluid.data(Field::mean_correction)[i];
-        if (correction < largest_correction) continue;
+        if (!(correction >= largest_correction || correction == too_few_for_a_correction)) continue;
         ++at_surface;
         const ParticleTag& tag = fluid.tags()[i];
         const Vec place = shown_place(fluid, particles.space(), i);
@@ -43,8 +45,8 @@ std::optional<Warning> VoidMonitor::look(const ParticleStore& particles, const R
         else if (is_before(here, largest.front()))
             largest.front() = here;
     }
-    largest = ranks.all_gather<Largest>(largest);
     if (ranks.sum(at_surface) < least_at_surface) return {};
+    largest = ranks.all_gather<Largest>(largest);
     const Largest& found = *std::ranges::min_element(largest, is_before);
     particle_ = found.particle;
     part_ = particles.space().parts[static_cast<std::size_t>(found.part)].name;
@@ -67,15 +69,16 @@ std::optional<Warning> VoidMonitor::warning() const {
     Warning warning;
     warning.key = "particles.spacing";
     warning.location = scene_.particles.spacing.location;
-    warning.problem = "of " + number_text(scene_.particles.spacing, 3) +
-                      " m is too large, or solids move too fast: " + text() +
-                      ", which lacks neighbours on one side. From then on pressures near there are not " +
-                      "those of a liquid, though the density does not show it";
+    warning.problem =
+        "of " + number_text(scene_.particles.spacing, 3) + " m is too large, or the drive too strong: " + text() +
+        ", which lacks neighbours on one side. Pressures near there are wrong from then on; the density " +
+        "does not show it";
     warning.what_to_do = "look at the frames from then on, and compare with a smaller spacing";
     return warning;
 }
 
 void VoidMonitor::archive(Archive& file) {
+    if (!watches_) return;
     file("voids/particle", particle_);
     file("voids/part", part_);
     file("voids/time", time_);

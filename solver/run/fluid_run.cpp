@@ -139,7 +139,7 @@ void FluidRun::archive(Archive& file) {
     frame_times_.archive(file, "frames_due", time_);
     measure_times_.archive(file, "measures_due", time_);
     if (!file.starts_run()) archive_accounts(file);
-    events_.archive(file);
+    events_.archive(file, time_);
     if (file.loading() && events_.next() * (1 + 1e-9) < time_) throw unlike_any_run("an event that is long due");
     const auto all = [&] { return ranks_.sum(static_cast<std::int64_t>(particles_.owned())); };
     const std::int64_t before = all();
@@ -312,9 +312,9 @@ void FluidRun::advance(const RunOptions& options, const Step& step) {
     std::vector<Warning> warnings = reached_.add(extremes_);
     if (SpringStrain::wants(step_))
         std::ranges::move(strain_.add(fluid_.springs(), scene_), std::back_inserter(warnings));
+    if (!monitor_.fluid_is_well(extremes_) || step_ % steps_between_checks == 0) stop_if_diverged(options.sink);
     if (VoidMonitor::wants(step_))
         if (const auto opened = voids_.look(particles_, ranks_, time_)) warnings.push_back(*opened);
-    if (!monitor_.fluid_is_well(extremes_) || step_ % steps_between_checks == 0) stop_if_diverged(options.sink);
     if (VelocityChange::wants(step_)) velocity_change_.add(particles_, ranks_, time_);
     for (const Warning& warning : warnings)
         if (options.warn) options.warn(time_, warning);

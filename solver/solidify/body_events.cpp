@@ -112,10 +112,11 @@ bool BodyEvents::act(double time, ParticleStore& particles, FluidStep& fluid) {
     return acted;
 }
 
-void BodyEvents::archive(Archive& file) {
+void BodyEvents::archive(Archive& file, double time) {
     for (std::size_t k = 0; k < solidifying_.size(); ++k) {
         Solidifying& each = solidifying_[k];
         each.times.archive(file, "solidify/times_" + std::to_string(k));
+        if (file.starts_run()) each.times.skip_until(time - each.from);  // events may have had an end that is gone now
         file("solidify/events_" + std::to_string(k), each.events);
         each.rule->archive(file);
     }

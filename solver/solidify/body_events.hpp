@@ -25,7 +25,8 @@ class BodyEvents {
     [[nodiscard]] double next() const;
     /// All that is due at this time. Returns whether anything was.
     bool act(double time, ParticleStore& particles, FluidStep& fluid);
-    void archive(Archive& file);
+    /// At this time [s].
+    void archive(Archive& file, double time);
 
   private:
     struct Solidifying {

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -20,6 +21,10 @@ class Schedule {
         if (time < next() - 1e-9 * every_) return false;
         ++count_;
         return true;
+    }
+    /// Leaves out the times up to this one that are not done.
+    void skip_until(double time) {
+        count_ = std::max(count_, static_cast<std::int64_t>(std::floor(time / every_ + 1e-9)) + 1);
     }
     void archive(Archive& file, const std::string& name) { file(name, count_); }
     /// The same of a schedule that a run may go on with another interval; all that was due at `time` has been done.

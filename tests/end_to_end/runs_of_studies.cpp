@@ -73,12 +73,17 @@ TEST_F(SmallRuns, GoOnWhenAScenesCommentsChangeAndStopWhenItsValuesDo) {
     EXPECT_EQ(
         sweep_during("out", [&](pid_t) { folder_.write("scene.toml", "# why\n" + folder_.read("scene.toml")); }).code,
         0);
+    EXPECT_THAT(folder_.read("scene.toml"), testing::StartsWith("# why"));
     EXPECT_THAT(table("out"), SizeIs(3));
     const Outcome stopped = sweep_during("other", [&](pid_t) {
         folder_.replace("scene.toml", "density = \"1056 kg/m^3\"", "density = \"1050 kg/m^3\"");
     });
     EXPECT_EQ(stopped.code, 2);
-    EXPECT_THAT(stopped.errors, HasSubstr("scene.toml: the scene was changed while its study ran"));
+    EXPECT_THAT(stopped.errors, HasSubstr("scene.toml: the scene was changed while its study ran\n"));
+    const Outcome broken = sweep_during("broken", [&](pid_t) { folder_.write("scene.toml", "title = "); });
+    EXPECT_EQ(broken.code, 2);
+    EXPECT_THAT(broken.errors,
+                HasSubstr("scene.toml: the scene was changed while its study ran, and cannot be read: "));
 }
 
 TEST_F(SmallRuns, AreCopiesOfOneProcess) {

@@ -46,11 +46,29 @@ TEST(StartFromState, MayNotChangeParticlesNorWhatTheStateMeans) {
 
 TEST(StartFromState, MayChangeHowLiquidTurnsSolidAndWhenBondsBreak) {
     const Scene before = of_case("heart_valve/breakup.toml");
-    EXPECT_THAT(fixed_in_start(resolved_scene(before),
-                               of_case("heart_valve/breakup.toml",
-                                       {"solidify.clot.probability=0.1", "solidify.clot.until=\"0.9 s\"",
-                                        "solidify.clot.seed=7", "break.tear.force_above=\"1 N\""})),
-                IsEmpty());
+    EXPECT_THAT(
+        fixed_in_start(resolved_scene(before),
+                       of_case("heart_valve/breakup.toml",
+                               {"solidify.clot.probability=0.1", "solidify.clot.until=\"0.9 s\"",
+                                "solidify.clot.seed=7", "solidify.clot.reach=\"1 mm\"", "solidify.clot.most_bonds=2",
+                                "solidify.clot.stress_above=\"1 Pa\"", "break.tear.force_above=\"1 N\""})),
+        IsEmpty());
+    for (const char* key : {"from=\"0.3 s\"", "interval=\"1 ms\"", "spreads=false", "bond_damping=0.1"})
+        EXPECT_EQ(fixed_in_start(resolved_scene(before),
+                                 of_case("heart_valve/breakup.toml", {"solidify.clot." + std::string(key)}))
+                      .size(),
+                  1U)
+            << key;
+}
+
+/// What a state has to hold, and what seeds are, follows from whether they are given.
+TEST(StartFromState, MayChangeConditionsOfResidenceWhereThereWereSome) {
+    const std::vector<std::string> given{"solidify.clot.residence_above=\"1 s\""};
+    const Scene without = of_case("clotting"), with = of_case("clotting", given),
+                longer = of_case("clotting", {"solidify.clot.residence_above=\"2 s\""});
+    EXPECT_THAT(fixed_in_start(resolved_scene(with), longer), IsEmpty());
+    EXPECT_EQ(fixed_in_start(resolved_scene(with), without).size(), 1U);
+    EXPECT_EQ(fixed_in_start(resolved_scene(without), with).size(), 1U);
 }
 
 TEST(StartFromState, MayNotChangeSpringsThatAreInTheState) {

@@ -1,13 +1,16 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Voids that open in a liquid without a free surface.
+#include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include "solver/monitor/void_monitor.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/solver/water_beside_a_block.hpp"
 #include "tests/unit/thrown.hpp"
@@ -29,6 +32,35 @@ TEST(Voids, open_behind_a_block_that_moves_faster_than_water_can_follow) {
                 ElementsAre(AllOf(ContainsRegex(R"(of 'water' at \(0\.[0-3][0-9]* m, 0\.[0-6][0-9]* m\))"),
                                   HasSubstr("particles.spacing of 0.1 m is too large"),
                                   HasSubstr("compare with a smaller spacing"))));
+}
+
+/// By the mean corrections of the fluid's first particles; all others have `usual`.
+bool finds_void(int dimension, const std::vector<double>& corrections, double usual = 1.02) {
+    WalledWater made(3, 3, {}, [](int, int) { return 0; });
+    made.scene.dimension = made.particles.dimension = dimension;
+    made.particles.box.high[2] = dimension == 3 ? 1 : 0;
+    ParticleStore store(made.particles, {1000});
+    ParticleGroup& fluid = store.fluid();
+    fluid.declare({Field::mean_correction});
+    std::fill_n(fluid.data(Field::mean_correction), fluid.owned(), usual);
+    std::ranges::copy(corrections, fluid.data(Field::mean_correction));
+    VoidMonitor voids(made.scene, true);
+    const bool found = voids.look(store, Ranks::alone(), 0.5).has_value();
+    EXPECT_EQ(found, voids.text().starts_with("a void opened in the fluid by 0.5 s, at particle "));
+    return found;
+}
+
+TEST(Voids, are_where_three_particles_lack_neighbours) {
+    for (const int dimension : {2, 3}) {
+        EXPECT_FALSE(finds_void(dimension, {}));
+        EXPECT_FALSE(finds_void(dimension, {1.6, 1.6, 1.3}));
+        EXPECT_TRUE(finds_void(dimension, {1.6, 1.6, 1.36}));
+        // Too few for a correction: that is 1 then.
+        EXPECT_FALSE(finds_void(dimension, {1, 1}));
+        EXPECT_TRUE(finds_void(dimension, {1, 1, 1}));
+        constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+        EXPECT_FALSE(finds_void(dimension, {no_number, no_number, no_number}));
+    }
 }
 
 TEST(Voids, are_named_by_a_run_that_was_resumed_after_them) {

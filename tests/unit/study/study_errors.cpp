@@ -182,11 +182,15 @@ INSTANTIATE_TEST_SUITE_P(
          "study.toml:15:9: result.until: the runs end at 4 s, before 5 s\n"
          "  give a time until then, or a longer run.duration in the scene"},
         {"cycles_that_do_not_fit", "from = \"2 s\"", "every = \"1.5 s\"",
-         "study.toml:15:9: result.every: the window of 4 s is not a whole number of times 1.5 s\n"
+         "study.toml:15:9: result.every: the window of 4 s does not divide into parts of 1.5 s\n"
          "  change 'from', 'until' or 'every'"},
         {"too_many_cycles", "from = \"2 s\"", "every = \"1 ms\"",
          "study.toml:15:9: result.every: it makes 4000 columns of results.csv, more than 1000\n"
-         "  give a longer time"},
+         "  give longer parts, or a shorter window"},
+        {"cycles_shorter_than_the_period", "reduce = \"maximum\"",
+         "reduce = \"phase\"\nperiod = \"1.5 s\"\nevery = \"1 s\"",
+         "study.toml:16:9: result.every: parts of 1 s are shorter than the period of 1.5 s\n"
+         "  give longer parts, or the right period"},
         {"result_twice", "name = \"reached\"", "name = \"opening\"",
          "study.toml:18:8: there are two results 'opening'\n"
          "  give each result a name of its own: it is a column of results.csv"},

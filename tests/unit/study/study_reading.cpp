@@ -124,6 +124,17 @@ TEST(ReadStudy, AResultOfEachCycleHasItsWindow) {
     EXPECT_EQ(*study.results[2].name, "reached");
 }
 
+TEST(ReadStudy, PartsOfAWindowEndWhereItEnds) {
+    const Study study = study_of(study_with("from = \"2 s\"", "every = \"1.3333334 s\""));
+    ASSERT_EQ(study.results.size(), 4U);
+    EXPECT_EQ(*study.results[0].from, 0);
+    EXPECT_EQ(*study.results[0].until, *study.results[1].from);
+    EXPECT_EQ(*study.results[2].until, 4) << "not after the run";
+    const Study crossings = study_of(study_with("level = ", "every = \"2 s\"\nlevel = "));
+    EXPECT_EQ(*crossings.results[2].name, "reached_2");
+    EXPECT_TRUE(crossings.results[2].level.given());
+}
+
 TEST(ReadStudy, ResultsOfCyclesHaveNamesOfTheirOwn) {
     const std::string cycles = study_with("from = \"2 s\"", "every = \"2 s\"");
     std::string twice = cycles;
