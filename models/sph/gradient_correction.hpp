@@ -48,8 +48,9 @@ struct Symmetric {
 ///   F_i = - SUM_j V_i V_j (p_i B_i + p_j B_j) grad_i W_ij   [N]
 ///   drho_i/dt = rho_i SUM_j V_j v_ij . B_i grad_i W_ij      [kg/m^3/s]
 /// Linear momentum is conserved pair by pair, angular momentum only as far as B is uniform. For a solid neighbour the
-/// fluid particle's own B is used. With too few neighbours, det M < 0.3 (a flat free surface has 0.37 in 2-D, 0.28 in 3-D), B = 1, so that
-/// spray is not torn apart. The sweeps add the difference from the uncorrected sums: E = B - 1 replaces B.
+/// fluid particle's own B is used. With too few neighbours, det M < 0.3 (a flat free surface has 0.37 in 2-D, 0.28 in
+/// 3-D), B = 1, so that spray is not torn apart. The sweeps add the difference from the uncorrected sums: E = B - 1
+/// replaces B.
 struct GradientCorrection {
     static constexpr double smallest_determinant = 0.3;
 
