@@ -5,20 +5,10 @@
 #include <vector>
 
 #include "base/number_text.hpp"
+#include "models/sph/void_closing.hpp"
 #include "solver/output/fluid_fields.hpp"
 
 namespace dmp::solver {
-
-namespace {
-
-/// A flat free surface has 1.67 in 2-D; inside the cases' fluids it is up to 1.07, beside clots 1.17.
-constexpr double largest_correction = 1.35;
-/// With fewer neighbours, as at a flat free surface in 3-D, B is 1, and with enough it is never exactly 1.
-constexpr double too_few_for_a_correction = 1;
-/// One or two beside solids that part may have it for some steps, and then it closes.
-constexpr std::int64_t least_at_surface = 3;
-
-}  // namespace
 
 std::optional<Warning> VoidMonitor::look(const ParticleStore& particles, const Ranks& ranks, double t) {
     if (!watches_ || particle_ >= 0) return {};
@@ -28,15 +18,15 @@ std::optional<Warning> VoidMonitor::look(const ParticleStore& particles, const R
         std::array<double, 3> place;
     };
     const ParticleGroup& fluid = particles.fluid();
-    std::int64_t at_surface = 0;
+    std::int64_t beside_void = 0;
     std::vector<Largest> largest;  // of this rank: one, or none
     const auto is_before = [](const Largest& a, const Largest& b) {
         return a.correction != b.correction ? a.correction > b.correction : a.particle < b.particle;
     };
     for (std::size_t i = 0; i < fluid.owned(); ++i) {
         const double correction = fluid.data(Field::mean_correction)[i];
-        if (!(correction >= largest_correction || correction == too_few_for_a_correction)) continue;
-        ++at_surface;
+        if (!VoidClosing::is_beside_void(correction)) continue;
+        ++beside_void;
         const ParticleTag& tag = fluid.tags()[i];
         const Vec place = shown_place(fluid, particles.space(), i);
         const Largest here{correction, tag.id, tag.part, {place[0], place[1], place[2]}};
@@ -45,7 +35,7 @@ std::optional<Warning> VoidMonitor::look(const ParticleStore& particles, const R
         else if (is_before(here, largest.front()))
             largest.front() = here;
     }
-    if (ranks.sum(at_surface) < least_at_surface) return {};
+    if (ranks.sum(beside_void) < VoidClosing::fewest_particles) return {};
     largest = ranks.all_gather<Largest>(largest);
     const Largest& found = *std::ranges::min_element(largest, is_before);
     particle_ = found.particle;
@@ -71,8 +61,8 @@ std::optional<Warning> VoidMonitor::warning() const {
     warning.location = scene_.particles.spacing.location;
     warning.problem =
         "of " + number_text(scene_.particles.spacing, 3) + " m is too large, or the drive too strong: " + text() +
-        ", which lacks neighbours on one side. Pressures near there are wrong from then on; the density " +
-        "does not show it";
+        ", which lacks neighbours on one side. While it is open, pressures are not to be relied on (docs/scheme.md, " +
+        "\"Voids\")";
     warning.what_to_do = "look at the frames from then on, and compare with a smaller spacing";
     return warning;
 }

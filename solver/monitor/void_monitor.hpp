@@ -16,10 +16,9 @@
 
 namespace dmp::solver {
 
-/// Looks for voids that open in a fluid that has no free surface at the start: particles that lack neighbours on one
-/// side. The corrected gradients of their velocity show it, by the trace of their matrix B over the number of
-/// dimensions, mean_correction (models/sph/gradient_correction.hpp). Densities follow the flow and say nothing of it:
-/// they stay those of a liquid while a solid that moves away leaves space that no particle can fill.
+/// Looks for voids that open in a fluid that has no free surface at the start, by the particles beside them
+/// (models/sph/void_closing.hpp). Densities follow the flow and say nothing of voids: they stay those of a liquid while
+/// a solid that moves away leaves space that no particle can fill.
 class VoidMonitor {
   public:
     /// @param watches only with the corrected scheme, and not where the fluid has a free surface at the start

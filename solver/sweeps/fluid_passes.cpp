@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "models/sph/shifting.hpp"
+#include "models/sph/void_closing.hpp"
 #include "solver/parallel/largest_square.hpp"
 #include "solver/parallel/low_and_high.hpp"
 #include "solver/store/sums_over.hpp"
@@ -155,11 +156,15 @@ VolumeSums FluidPasses::volume_sums(const ParticleGroup& fluid, double largest_v
     const ReproducibleSum round_volume(largest_volume);
     const ReproducibleSum round_energy(at_least_something(largest_volume * largest_pressure));
     const double *volume = fluid.data(Field::volume), *reduced = fluid.data(Field::reduced_pressure);
-    const auto sums = sums_of_multiples<2>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
+    const ReproducibleSum round_square(at_least_something(largest_volume * largest_pressure * largest_pressure));
+    const double* correction = fluid.data(Field::mean_correction);
+    const auto sums = sums_of_multiples<4>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
         sum[0] += round_volume(volume[i]);
         sum[1] += round_energy(volume[i] * reduced[i]);
+        sum[2] += round_square(volume[i] * reduced[i] * reduced[i]);
+        sum[3] += VoidClosing::is_beside_void(correction[i]) ? 1 : 0;
     });
-    return {sums[0], sums[1]};
+    return {sums[0], sums[1], sums[2], sums[3]};
 }
 
 SpeedSums FluidPasses::kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,

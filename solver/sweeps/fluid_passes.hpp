@@ -39,8 +39,10 @@ struct ReferencePressure {
 
 /// Sums over the fluid's volumes, the same bits in any order.
 struct VolumeSums {
-    ExactSum volume;    ///< [m^3]
-    ExactSum pressure;  ///< volume times reduced pressure [J]
+    ExactSum volume;        ///< [m^3]
+    ExactSum pressure;      ///< volume times reduced pressure [J]
+    ExactSum square;        ///< volume times the square of reduced pressure [J Pa]
+    ExactSum beside_voids;  ///< number of particles (VoidClosing)
 };
 
 /// Passes over single particles between the pair sweeps of a fluid step. Each combines as many updates as possible,

@@ -8,9 +8,9 @@
 
 namespace dmp::solver {
 
-FluidReference::FluidReference(bool subtracts, bool keeps_volume, std::vector<double> rest_density,
+FluidReference::FluidReference(const Settings& settings, std::vector<double> rest_density,
                                const ParticleStore& particles, const Ranks& ranks)
-    : subtracts_(subtracts), keeps_volume_(keeps_volume), rest_density_(std::move(rest_density)) {
+    : settings_(settings), rest_density_(std::move(rest_density)) {
     count(particles, ranks);
     mean_density_ = rest_volume_ > 0 ? mass_ / rest_volume_ : 0;
 }
@@ -30,9 +30,9 @@ void FluidReference::count(const ParticleStore& particles, const Ranks& ranks) {
 
 ReferencePressure FluidReference::pressure(const ParticleStore& particles, const std::array<double, 3>& g) const {
     ReferencePressure reference;
-    if (!subtracts_ || mass_ == 0) return reference;
+    if (!settings_.subtracts || mass_ == 0) return reference;
     const ParticleSpace& space = particles.space();
-    reference.level = level_;
+    reference.level = level_ - suction_;
     for (int axis = 0; axis < particles.dimension(); ++axis) {
         reference.slope[axis] = space.is_mirrored(axis) ? 0 : mean_density_ * g[axis];
         reference.centre[axis] = 0.5 * (space.box.low[axis] + space.box.high[axis]);
@@ -45,18 +45,27 @@ void FluidReference::start(const VolumeSums& of_all_ranks) {
     update_level(of_all_ranks);
 }
 
-void FluidReference::update(const VolumeSums& of_all_ranks) {
-    if (keeps_volume_ && rest_volume_ > 0) {
+void FluidReference::update(const VolumeSums& of_all_ranks, double dt) {
+    if (settings_.keeps_volume && rest_volume_ > 0) {
         excess_ = volume_ratio_ * rest_volume_ / of_all_ranks.volume.value() - 1;
         drift_ += excess_;
     }
     update_level(of_all_ranks);
+    update_suction(of_all_ranks, dt);
 }
 
-/// The sums are of pressures less the present level.
+/// The sums are of pressures less what is subtracted at present.
 void FluidReference::update_level(const VolumeSums& sums) {
     const double volume = sums.volume.value();
-    if (subtracts_ && volume > 0) level_ += sums.pressure.value() / volume;
+    if (settings_.subtracts && volume > 0) level_ += sums.pressure.value() / volume - suction_;
+}
+
+void FluidReference::update_suction(const VolumeSums& sums, double dt) {
+    const double volume = sums.volume.value();
+    if (!settings_.subtracts || !(volume > 0)) return;
+    const double variance = sums.square.value() / volume - std::pow(sums.pressure.value() / volume, 2);
+    suction_ = VoidClosing::suction(suction_, sums.beside_voids.value(), std::sqrt(std::max(0.0, variance)),
+                                    dt / settings_.void_time);
 }
 
 void FluidReference::archive(Archive& file) {
@@ -64,6 +73,7 @@ void FluidReference::archive(Archive& file) {
     file("reference/rest_volume", rest_volume_);
     file("reference/volume_ratio", volume_ratio_);
     file("reference/level", level_);
+    file("reference/suction", suction_);
     if (!file.starts_run()) file("reference/density_drift", drift_);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "models/sph/void_closing.hpp"
 #include "solver/parallel/ranks.hpp"
 #include "solver/results/plan.hpp"
 #include "solver/state/archive.hpp"
@@ -21,17 +22,22 @@ namespace dmp::solver {
 /// mean rose by 4.5 % in one beat. But the volume between solids that keep theirs is constant. So in each step all
 /// densities change by the same share, such that the sum of m / rho keeps its ratio to the sum of m / rho0. That is
 /// left out where walls or shapes move, because they can compress the fluid.
+///
+/// While there are voids what is subtracted is less than the level, by the suction that closes them (VoidClosing).
 class FluidReference {
   public:
-    /// @param subtracts whether a level is subtracted at all: not with a free surface, and not in the plain scheme
-    /// @param keeps_volume whether nothing moves that can change the fluid's volume
-    FluidReference(bool subtracts, bool keeps_volume, std::vector<double> rest_density, const ParticleStore& particles,
+    struct Settings {
+        bool subtracts;     ///< a level at all: not with a free surface, and not in the plain scheme
+        bool keeps_volume;  ///< nothing moves that can change the fluid's volume
+        double void_time;   ///< in which suction on voids grows and fades (VoidClosing) [s]
+    };
+    FluidReference(const Settings& settings, std::vector<double> rest_density, const ParticleStore& particles,
                    const Ranks& ranks);
 
     /// Of the liquid that has not turned solid [kg].
     [[nodiscard]] double mass() const { return mass_; }
     /// Whether there is a level to subtract.
-    [[nodiscard]] bool subtracts() const { return subtracts_; }
+    [[nodiscard]] bool subtracts() const { return settings_.subtracts; }
     /// With the hydrostatic slope in the acceleration g; zero where no liquid is left.
     [[nodiscard]] ReferencePressure pressure(const ParticleStore& particles, const std::array<double, 3>& g) const;
     /// By what share the densities are too high [-].
@@ -41,8 +47,8 @@ class FluidReference {
 
     /// The volume and the level at the start.
     void start(const VolumeSums& of_all_ranks);
-    /// After each kick.
-    void update(const VolumeSums& of_all_ranks);
+    /// After each kick, of a step of dt [s].
+    void update(const VolumeSums& of_all_ranks, double dt);
     /// After liquid has turned solid; all ranks must call it.
     void count(const ParticleStore& particles, const Ranks& ranks);
 
@@ -50,14 +56,16 @@ class FluidReference {
 
   private:
     void update_level(const VolumeSums& sums);
+    void update_suction(const VolumeSums& sums, double dt);
 
-    bool subtracts_, keeps_volume_;
+    Settings settings_;
     std::vector<double> rest_density_;  ///< by part [kg/m^3]
     double mass_ = 0;                   ///< [kg]
     double rest_volume_ = 0;            ///< sum of m / rho0 [m^3]
     double mean_density_ = 0;           ///< at the start, at rest density [kg/m^3]
     double volume_ratio_ = 0;           ///< at the start, sum of m / rho over sum of m / rho0 [-]
-    double level_ = 0;                  ///< [Pa]
+    double level_ = 0;                  ///< mean pressure [Pa]
+    double suction_ = 0;                ///< by which what is subtracted is less, while there are voids [Pa]
     double excess_ = 0, drift_ = 0;
 };
 

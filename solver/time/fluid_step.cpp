@@ -52,8 +52,9 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       driving_(scene, set, particles.space()),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
       body_force_(scene, set, particles),
-      reference_(settings.subtracts_level, !walls_.moves() && scene.moving_shapes.empty(), rest_density_, particles,
-                 ranks) {
+      reference_({settings.subtracts_level, !walls_.moves() && scene.moving_shapes.empty(),
+                  VoidClosing::time(settings.support, settings.sound_speed)},
+                 rest_density_, particles, ranks) {
     if (settings.gradient_correction)
         force_fields_.insert(force_fields_.end(), {Field::correction, Field::correction_off_diagonal});
     if (settings.corrected)
@@ -171,9 +172,9 @@ VolumeSums FluidStep::volumes_here() const {
 
 VolumeSums FluidStep::volumes_of_all_ranks() const {
     const VolumeSums here = volumes_here();
-    std::vector<ExactSum> sums{here.volume, here.pressure};
+    std::vector<ExactSum> sums{here.volume, here.pressure, here.square, here.beside_voids};
     ranks_.sum(sums);
-    return {sums[0], sums[1]};
+    return {sums[0], sums[1], sums[2], sums[3]};
 }
 
 double FluidStep::particle_volume() const { return std::pow(settings_.spacing, particles_.dimension()); }
@@ -324,8 +325,7 @@ void FluidStep::add_up(double t, double dt, const ExactSum& fourth_powers_of_spe
         sums.push_back(total_force(particles_.of(PartKind::rigid), static_cast<int>(axis), !viscosity_));
     if (reference_.subtracts()) {
         const VolumeSums volumes = volumes_here();
-        sums.push_back(volumes.volume);
-        sums.push_back(volumes.pressure);
+        sums.insert(sums.end(), {volumes.volume, volumes.pressure, volumes.square, volumes.beside_voids});
     } else if (shifts_by_speed()) {
         sums.push_back(fourth_powers_of_speeds);
         sums.emplace_back().add(static_cast<double>(particles_.fluid().owned()));
@@ -339,7 +339,7 @@ void FluidStep::add_up(double t, double dt, const ExactSum& fourth_powers_of_spe
         // The walls hold what the reference pressure exerts on fluid and bodies.
         impulses_.of_fixed[axis] -= dt * (sums[axis].value() + passes_.subtracted().slope[axis] * volume);
     }
-    if (reference_.subtracts()) reference_.update({sums[axes], sums[axes + 1]});
+    if (reference_.subtracts()) reference_.update({sums[axes], sums[axes + 1], sums[axes + 2], sums[axes + 3]}, dt);
     if (shifts_by_speed())
         quartic_mean_speed_ = std::sqrt(std::sqrt(sums[axes].value() / std::max(1.0, sums[axes + 1].value())));
 }

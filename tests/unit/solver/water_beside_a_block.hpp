@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,14 @@ inline WalledWater water_beside_a_block(double speed) {
     WalledWater made(20, 8, {"box", "block"}, [](int, int) { return 1; });
     ParticleSet& set = made.particles;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        const double to_right = 4 * spacing - set.position[i][0], to_top = 6 * spacing - set.position[i][1];
-        if (set.part[i] != 0 || std::min(to_right, to_top) < 0) continue;
+        const Vec& x = set.position[i];
+        const std::array<double, 3> depth{x[0], 4 * spacing - x[0], 6 * spacing - x[1]};  // left, right, top
+        const auto nearest = std::ranges::min_element(depth);
+        if (set.part[i] != 0 || *nearest < 0) continue;
         set.part[i] = 2;
         set.fixed[i] = 1;
-        set.wall_normal[i] = to_right < to_top ? Vec(1, 0, 0) : Vec(0, 1, 0);
-        set.wall_distance[i] = std::min(to_right, to_top);
+        set.wall_normal[i] = nearest == depth.begin() + 2 ? Vec(0, 1, 0) : Vec(nearest == depth.begin() ? -1 : 1, 0, 0);
+        set.wall_distance[i] = *nearest;
     }
     made.part(2).velocity =
         std::array{formula_of("t > 0.1 && t < 0.3 ? " + std::to_string(speed) + " : 0"), Expression(), Expression()};
