@@ -10,8 +10,8 @@
 
 namespace dmp::solver {
 
-std::optional<Warning> VoidMonitor::look(const ParticleStore& particles, const Ranks& ranks, double t) {
-    if (!watches_ || particle_ >= 0) return {};
+std::optional<Warning> VoidMonitor::look(const ParticleStore& particles, const Ranks& ranks, double t, bool is_known) {
+    if (!settings_.watches || particle_ >= 0) return {};
     struct Largest {
         double correction;
         std::int64_t particle, part;
@@ -25,8 +25,9 @@ std::optional<Warning> VoidMonitor::look(const ParticleStore& particles, const R
     };
     for (std::size_t i = 0; i < fluid.owned(); ++i) {
         const double correction = fluid.data(Field::mean_correction)[i];
-        if (!VoidClosing::is_beside_void(correction)) continue;
-        ++beside_void;
+        const bool is_beside = VoidClosing::is_beside_void(correction);
+        beside_void += is_beside ? 1 : 0;
+        if (!is_beside && !is_known) continue;
         const ParticleTag& tag = fluid.tags()[i];
         const Vec place = shown_place(fluid, particles.space(), i);
         const Largest here{correction, tag.id, tag.part, {place[0], place[1], place[2]}};
@@ -35,8 +36,9 @@ std::optional<Warning> VoidMonitor::look(const ParticleStore& particles, const R
         else if (is_before(here, largest.front()))
             largest.front() = here;
     }
-    if (ranks.sum(beside_void) < VoidClosing::fewest_particles) return {};
+    if (!is_known && ranks.sum(beside_void) < VoidClosing::fewest_particles) return {};
     largest = ranks.all_gather<Largest>(largest);
+    if (largest.empty()) return {};
     const Largest& found = *std::ranges::min_element(largest, is_before);
     particle_ = found.particle;
     part_ = particles.space().parts[static_cast<std::size_t>(found.part)].name;
@@ -59,16 +61,17 @@ std::optional<Warning> VoidMonitor::warning() const {
     Warning warning;
     warning.key = "particles.spacing";
     warning.location = scene_.particles.spacing.location;
-    warning.problem =
-        "of " + number_text(scene_.particles.spacing, 3) + " m is too large, or the drive too strong: " + text() +
-        ", which lacks neighbours on one side. While it is open, pressures are not to be relied on (docs/scheme.md, " +
-        "\"Voids\")";
+    warning.problem = "of " + number_text(scene_.particles.spacing, 3) +
+                      " m is too large, or the drive too strong: " + text() + ", which lacks neighbours on one side. " +
+                      (settings_.closes ? "Suction closes it (docs/scheme.md, \"Voids\"); while it is open, pressures "
+                                          "are not to be relied on"
+                                        : "Pressures near there are wrong from then on; the density does not show it");
     warning.what_to_do = "look at the frames from then on, and compare with a smaller spacing";
     return warning;
 }
 
 void VoidMonitor::archive(Archive& file) {
-    if (!watches_) return;
+    if (!settings_.watches) return;
     file("voids/particle", particle_);
     file("voids/part", part_);
     file("voids/time", time_);

@@ -21,15 +21,19 @@ namespace dmp::solver {
 /// a solid that moves away leaves space that no particle can fill.
 class VoidMonitor {
   public:
-    /// @param watches only with the corrected scheme, and not where the fluid has a free surface at the start
-    VoidMonitor(const Scene& scene, bool watches) : scene_(scene), watches_(watches) {}
+    struct Settings {
+        bool watches;  ///< only with the corrected scheme, and not where the fluid has a free surface at the start
+        bool closes;   ///< suction acts on voids: not where an elastic solid is wet on one side only
+    };
+    VoidMonitor(const Scene& scene, const Settings& settings) : scene_(scene), settings_(settings) {}
 
     /// Whether the state after this step is one of those to look at: the more seldom, the longer the run.
     [[nodiscard]] static bool wants(std::int64_t step) {
         return step % std::clamp<std::int64_t>(step / 10, 1, 100) == 0;
     }
     /// Looks at the state at time t [s], until there has been a void: then it returns the warning. All ranks take part.
-    std::optional<Warning> look(const ParticleStore& particles, const Ranks& ranks, double t);
+    /// @param is_known whether suction says that there is one, or was in this step
+    std::optional<Warning> look(const ParticleStore& particles, const Ranks& ranks, double t, bool is_known = false);
 
     /// "a void opened in the fluid by 1.2 s, at particle 12 of 'blood' at (...)"; "" where there was none.
     [[nodiscard]] std::string text() const;
@@ -39,7 +43,7 @@ class VoidMonitor {
 
   private:
     const Scene& scene_;
-    bool watches_;
+    Settings settings_;
     std::int64_t particle_ = -1;     ///< at the first void, the one with the largest correction; -1: there was none
     std::string part_;               ///< that it belongs to
     double time_ = 0;                ///< [s]

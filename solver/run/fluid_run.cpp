@@ -53,7 +53,7 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
       events_(scene_, set, ranks_),
       monitor_(scene_, particles_.space(), rest_densities(scene_, set), settings_.sound_speed, settings_.support),
       concentrations_(scene_),
-      voids_(scene_, settings_.corrected && !settings_.free_surface),
+      voids_(scene_, {settings_.corrected && !settings_.free_surface, settings_.subtracts_level}),
       reached_(scene_, sound_),
       strain_(fluid_.springs()),
       frame_times_(scene_.output.every),
@@ -313,8 +313,9 @@ void FluidRun::advance(const RunOptions& options, const Step& step) {
     if (SpringStrain::wants(step_))
         std::ranges::move(strain_.add(fluid_.springs(), scene_), std::back_inserter(warnings));
     if (!monitor_.fluid_is_well(extremes_) || step_ % steps_between_checks == 0) stop_if_diverged(options.sink);
-    if (VoidMonitor::wants(step_))
-        if (const auto opened = voids_.look(particles_, ranks_, time_)) warnings.push_back(*opened);
+    const bool has_suction = fluid_.reference().suction() > 0;
+    if (VoidMonitor::wants(step_) || has_suction)
+        if (const auto opened = voids_.look(particles_, ranks_, time_, has_suction)) warnings.push_back(*opened);
     if (VelocityChange::wants(step_)) velocity_change_.add(particles_, ranks_, time_);
     for (const Warning& warning : warnings)
         if (options.warn) options.warn(time_, warning);

@@ -156,7 +156,8 @@ VolumeSums FluidPasses::volume_sums(const ParticleGroup& fluid, double largest_v
     const ReproducibleSum round_volume(largest_volume);
     const ReproducibleSum round_energy(at_least_something(largest_volume * largest_pressure));
     const double *volume = fluid.data(Field::volume), *reduced = fluid.data(Field::reduced_pressure);
-    const ReproducibleSum round_square(at_least_something(largest_volume * largest_pressure * largest_pressure));
+    // Squares exceed their expected size sooner.
+    const ReproducibleSum round_square(at_least_something(25 * largest_volume * largest_pressure * largest_pressure));
     const double* correction = fluid.data(Field::mean_correction);
     const auto sums = sums_of_multiples<4>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
         sum[0] += round_volume(volume[i]);

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/time/fluid_reference.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -64,6 +65,7 @@ void FluidReference::update_suction(const VolumeSums& sums, double dt) {
     const double volume = sums.volume.value();
     if (!settings_.subtracts || !(volume > 0)) return;
     const double variance = sums.square.value() / volume - std::pow(sums.pressure.value() / volume, 2);
+    // No number is an error, and ends the run.
     suction_ = VoidClosing::suction(suction_, sums.beside_voids.value(), std::sqrt(std::max(0.0, variance)),
                                     dt / settings_.void_time);
 }
@@ -73,7 +75,7 @@ void FluidReference::archive(Archive& file) {
     file("reference/rest_volume", rest_volume_);
     file("reference/volume_ratio", volume_ratio_);
     file("reference/level", level_);
-    file("reference/suction", suction_);
+    if (settings_.subtracts) file("reference/suction", suction_);
     if (!file.starts_run()) file("reference/density_drift", drift_);
 }
 

@@ -40,6 +40,8 @@ class FluidReference {
     [[nodiscard]] bool subtracts() const { return settings_.subtracts; }
     /// With the hydrostatic slope in the acceleration g; zero where no liquid is left.
     [[nodiscard]] ReferencePressure pressure(const ParticleStore& particles, const std::array<double, 3>& g) const;
+    /// On voids [Pa]; 0 where there is none.
+    [[nodiscard]] double suction() const { return suction_; }
     /// By what share the densities are too high [-].
     [[nodiscard]] double density_excess() const { return excess_; }
     /// What those shares add up to since the start: the drift that was corrected [-].

@@ -338,6 +338,43 @@ TEST(FluidPasses, momentum_of_a_shift_is_the_same_bits_in_any_order) {
     }
 }
 
+/// Sums over particles in their order or in the reverse one, of pressures of up to 0.4 rho c0^2.
+VolumeSums volume_sums_of(bool reversed) {
+    ParticleStore particles(crowd(2, {true, false, false}), {1000, 1000, 1000});
+    ParticleGroup& fluid = particles.fluid();
+    make_pair_sweeps({.spacing = 0.1,
+                      .support = 0.3,
+                      .sound_speed = 20,
+                      .corrected = true,
+                      .subtracts_level = true,
+                      .density = {.largest = 1000}},
+                     particles);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const std::array<double, 5> corrections{1.02, 1.36, 1, std::numeric_limits<double>::quiet_NaN(), 1.34};
+    const std::size_t count = fluid.owned();
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t i = reversed ? count - 1 - k : k;
+        fluid.data(Field::volume)[i] = 0.01 * (1 + 0.3 * unit(random));
+        fluid.data(Field::reduced_pressure)[i] = 0.4 * 1000 * 400 * unit(random);
+        fluid.data(Field::mean_correction)[i] = corrections.at(k % 5);
+    }
+    return FluidPasses({{20, 1000}, {20, 1000}, {20, 1000}}, 1).volume_sums(fluid, 0.02, 0.1 * 1000 * 400);
+}
+
+TEST(FluidPasses, sums_over_volumes_are_the_same_bits_in_any_order) {
+    VolumeSums sums = volume_sums_of(false), reversed = volume_sums_of(true);
+    EXPECT_GT(sums.volume.value(), 1);
+    EXPECT_EQ(sums.volume.value(), reversed.volume.value());
+    EXPECT_EQ(sums.pressure.value(), reversed.pressure.value());
+    EXPECT_EQ(sums.square.value(), reversed.square.value());
+    // Of a uniform distribution from -a to a: a^2 / 3.
+    EXPECT_NEAR(sums.square.value() / sums.volume.value(), std::pow(0.4 * 1000 * 400, 2) / 3, 2e9);
+    const double count = sums.beside_voids.value(), particles = sums.volume.value() / 0.01;
+    EXPECT_NEAR(count, 0.4 * particles, 0.05 * particles) << "1.36 and 1 of the five";
+    EXPECT_EQ(count, reversed.beside_voids.value());
+}
+
 TEST(FluidPasses, of_no_fluid_have_no_speed) {
     ParticleSet set;
     set.spacing = 0.1;

@@ -99,7 +99,8 @@ TEST(FluidReference, is_less_than_the_level_while_there_is_a_void) {
         now.square.add(2 * (400 + (30 - subtracted()) * (30 - subtracted())));
         reference.update(now, dt);
     }
-    EXPECT_DOUBLE_EQ(subtracted(), 30) << "to the last bit once it is closed";
+    EXPECT_DOUBLE_EQ(subtracted(), 30) << "once it is closed";
+    EXPECT_EQ(reference.suction(), 0);
 }
 
 TEST(FluidReference, is_nothing_where_no_level_is_subtracted_or_all_is_solid) {

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include "models/sph/void_closing.hpp"
 #include "solver/monitor/void_monitor.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/solver/water_beside_a_block.hpp"
@@ -31,7 +32,7 @@ TEST(Voids, open_behind_a_block_that_moves_faster_than_water_can_follow) {
     // At x < 0.4 m, where the block was, and y < 0.7 m.
     EXPECT_THAT(voids_of(run_of(water_beside_a_block(2))),
                 ElementsAre(AllOf(ContainsRegex(R"(of 'water' at \(0\.[0-3][0-9]* m, 0\.[0-6][0-9]* m\))"),
-                                  HasSubstr("particles.spacing of 0.1 m is too large"),
+                                  HasSubstr("particles.spacing of 0.1 m is too large"), HasSubstr("Suction closes it"),
                                   HasSubstr("compare with a smaller spacing"))));
 }
 
@@ -45,7 +46,7 @@ bool finds_void(int dimension, const std::vector<double>& corrections, double us
     fluid.declare({Field::mean_correction});
     std::fill_n(fluid.data(Field::mean_correction), fluid.owned(), usual);
     std::ranges::copy(corrections, fluid.data(Field::mean_correction));
-    VoidMonitor voids(made.scene, true);
+    VoidMonitor voids(made.scene, {.watches = true, .closes = true});
     const bool found = voids.look(store, Ranks::alone(), 0.5).has_value();
     EXPECT_EQ(found, voids.text().starts_with("a void opened in the fluid by 0.5 s, at particle "));
     return found;
@@ -76,6 +77,17 @@ double largest_hole(const Frame& frame) {
             largest = std::max(largest, nearest);
         }
     return largest;
+}
+
+TEST(Voids, are_pulled_at_by_three_deviations_of_the_pressure) {
+    EXPECT_EQ(models::VoidClosing::time(0.3, 15), 0.2);
+    EXPECT_EQ(models::VoidClosing::suction(0, 2, 10, 0.1), 0) << "two particles are no void";
+    EXPECT_DOUBLE_EQ(models::VoidClosing::suction(0, 3, 10, 0.1), 3);
+    EXPECT_DOUBLE_EQ(models::VoidClosing::suction(20, 3, 10, 0.1), 21);
+    EXPECT_EQ(models::VoidClosing::suction(20, 3, 10, 5), 30);
+    EXPECT_DOUBLE_EQ(models::VoidClosing::suction(20, 0, 10, 0.1), 18) << "closed: it fades";
+    EXPECT_EQ(models::VoidClosing::suction(0.011, 0, 10, 0.1), 0) << "a thousandth of a deviation";
+    EXPECT_EQ(models::VoidClosing::suction(20, 0, 0, 0.1), 0) << "of pressures that are alike";
 }
 
 TEST(Voids, are_closed_by_the_water_around_them) {
