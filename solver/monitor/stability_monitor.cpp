@@ -188,7 +188,6 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
         causes.emplace_back(5.5, setting("contact.range", scene_.contact.range) +
                                      " spacings makes particles push that do not touch; the default is " +
                                      number_text(usual_range));
-    if (!void_.empty()) causes.emplace_back(4.5, void_ + ", which particles could not fill");
     if (violation.stuck) causes.emplace_back(4, "a particle lies all but on that body and pushes it away");
     if (!springs.empty() && !springs.implicit()) {
         const double strain = largest_strain(springs);
@@ -203,6 +202,10 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
         causes.emplace_back(5.5,
                             "numerics.shifting = 0 leaves gaps where the flow pulls particles apart; the default is " +
                                 number_text(usual.shifting));
+
+    // What is known to be wrong may have made the void, too.
+    if (!void_.empty() && std::ranges::none_of(causes, [](const auto& cause) { return cause.first >= 5; }))
+        causes.emplace_back(4.5, void_ + ", which particles could not fill");
 
     std::stable_sort(causes.begin(), causes.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     // Where something is known to be wrong, what may be wrong in any run says nothing.
