@@ -47,12 +47,14 @@ def main():
     for column, (name, text) in enumerate(PANELS):
         for length, word in WORDS.items():
             draw(axes[0, column], runs, [(v, (length, v, 3e-6)) for v in (0.03, 0.07, 0.13)], name, "o-", word)
-        draw(axes[1, column], runs, [(k_a, (25.6, 0.07, ei)) for ei, k_a in K_A.items()], name, "o-", "0.4 mm")
-        draw(axes[1, column], coarser, [(k_a, (25.6, 0.07, ei)) for ei, k_a in K_A.items()], name, "s", "0.56 mm")
+        draw(axes[1, column], runs, [(k_a, (25.6, 0.07, ei)) for ei, k_a in K_A.items()], name, "o-", "0.2 mm")
+        draw(axes[1, column], coarser, [(k_a, (25.6, 0.07, ei)) for ei, k_a in K_A.items()], name, "s", "0.4 mm")
         axes[0, column].set(xlabel="inlet velocity [m/s]", ylabel=text)
         axes[1, column].set(xlabel="$k_a$ [J]", ylabel=text, xscale="log")
         for row in axes:
             row[column].set_ylim(bottom=0)
+        largest = max((row[name] for key, rows in runs.items() if key[0] == 25.6 for row in rows), default=1)
+        axes[1, column].set_ylim(top=1.4 * largest)
     axes[0, 0].legend()
     axes[1, 0].legend()
     figure.savefig(sys.argv[2], dpi=80)
