@@ -4,10 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include "solver/state/checkpoints.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/solver/clot_scenes.hpp"
-#include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
 namespace dmp::tests::solver_solidify_runs_tests {
@@ -71,52 +69,6 @@ TEST(Solidify, fills_a_diamond_in_liquid_at_rest_and_keeps_all_mass) {
     ASSERT_EQ(summary.aggregates.size(), 1U);
     EXPECT_EQ(summary.aggregates[0].bonds_made, 100);
     EXPECT_EQ(summary.lost, 0U);
-}
-
-TEST(Solidify, may_go_on_otherwise_from_a_state) {
-    SceneAndParticles made = blood_channel();
-    made.scene.regions = {middle_of(made)};
-    Solidify clot = clot_of("blood");
-    clot.seed_region = std::string("nidus");
-    made.scene.solidify = {clot};
-    made.scene.run.duration = 0.045;
-    const TemporaryFolder folder;
-    RunOptions options;
-    options.until = 0.025;  // after three events
-    options.checkpoints.folder = folder.path();
-    options.checkpoints.every = 0;
-    options.checkpoints.label.scene = "a scene";
-    Simulation(made.scene, made.particles, 1).run(options);
-    const auto state = checkpoint_to_start_from(folder.path(), {}, 0.045).file;
-    const auto size_after = [&](double probability) {
-        made.scene.solidify[0].probability = probability;
-        Simulation simulation(made.scene, made.particles, 1);
-        simulation.start_from(state);
-        return simulation.run({}).particles.at("elastic");
-    };
-    EXPECT_EQ(size_after(1), 61U) << "as in a run that is not divided";
-    EXPECT_EQ(size_after(0), 25U) << "what there was";
-}
-
-TEST(Solidify, may_begin_again_from_a_state_after_its_last_time) {
-    SceneAndParticles made = blood_channel();
-    made.scene.regions = {middle_of(made)};
-    Solidify clot = clot_of("blood");
-    clot.seed_region = std::string("nidus");
-    clot.until = 0.015;  // two events, at 0 and 0.01 s
-    made.scene.solidify = {clot};
-    made.scene.run.duration = 0.055;
-    const TemporaryFolder folder;
-    RunOptions options;
-    options.until = 0.035;
-    options.checkpoints.folder = folder.path();
-    options.checkpoints.every = 0;
-    options.checkpoints.label.scene = "a scene";
-    EXPECT_EQ(Simulation(made.scene, made.particles, 1).run(options).particles.at("elastic"), 13U);
-    made.scene.solidify[0].until = {};
-    Simulation simulation(made.scene, made.particles, 1);
-    simulation.start_from(checkpoint_to_start_from(folder.path(), {}, 0.055).file);
-    EXPECT_EQ(simulation.run({}).particles.at("elastic"), 41U) << "with two more, at 0.04 and 0.05 s";
 }
 
 TEST(Solidify, ends_before_its_last_time) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "base/errors.hpp"
+#include "clot_scenes.hpp"
 #include "small_scenes.hpp"
 #include "solver/state/checkpoints.hpp"
 #include "sphere_scenes.hpp"
@@ -116,6 +117,42 @@ TEST(StartFromState, SpheresMayBeDrivenInAnotherWay) {
     EXPECT_NEAR(summary.end.momentum[1], 0.5 * lasted, 1e-9);
     EXPECT_NEAR(summary.end.momentum[2], -2 * mass * lasted, 1e-9 * mass);
     EXPECT_LT(summary.momentum_residual, 1e-9);
+}
+
+/// A clot that grows from the middle of a channel at rest, every 10 ms, by the nearest of a square lattice.
+SceneAndParticles channel_with_a_clot(double duration) {
+    SceneAndParticles made = blood_channel();
+    made.scene.regions = {middle_of(made)};
+    Solidify clot = clot_of("blood");
+    clot.seed_region = std::string("nidus");
+    made.scene.solidify = {clot};
+    made.scene.run.duration = duration;
+    return made;
+}
+
+TEST(StartFromState, LiquidMayTurnSolidInAnotherWay) {
+    SceneAndParticles made = channel_with_a_clot(0.045);
+    const TemporaryFolder folder;
+    const auto file = checkpoint_of(made.scene, made.particles, 0.025, folder.path());  // after three events
+    const auto size_after = [&](double probability) {
+        made.scene.solidify[0].probability = probability;
+        KeptFrames kept;
+        return started(made.scene, made.particles, file, kept).particles.at("elastic");
+    };
+    EXPECT_EQ(size_after(1), 61U) << "as in a run that is not divided";
+    EXPECT_EQ(size_after(0), 25U) << "what there was";
+}
+
+TEST(StartFromState, LiquidMayTurnSolidAgainAfterTheLastTimeOfTheState) {
+    SceneAndParticles made = channel_with_a_clot(0.055);
+    made.scene.solidify[0].until = 0.015;  // two events, at 0 and 0.01 s
+    const TemporaryFolder folder;
+    const auto file = checkpoint_of(made.scene, made.particles, 0.035, folder.path());
+    KeptFrames kept;
+    EXPECT_EQ(started(made.scene, made.particles, file, kept).particles.at("elastic"), 13U);
+    made.scene.solidify[0].until = {};
+    EXPECT_EQ(started(made.scene, made.particles, file, kept).particles.at("elastic"), 41U)
+        << "with two more, at 0.04 and 0.05 s";
 }
 
 }  // namespace
