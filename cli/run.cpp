@@ -244,6 +244,11 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
 
     const fs::path& folder = destination->results.path();
     options.checkpoints.folder = folder;
+    const FoundCheckpoint* found = destination->checkpoint();
+    const bool goes_on = destination->to_resume.has_value();
+    std::string checkpoint = found != nullptr ? found->file.string() : "";
+    resources.ranks.broadcast(checkpoint);
+    if (destination->to_start) simulation->start_from(checkpoint);  // may refuse: before anything in the folder changes
     const auto sink = frame_series(command, folder, scene, resources.ranks);
     const std::string opened = open_folder(*destination);
     const TypedCommand typed = command.typed.on_ranks(resources.ranks.size());
@@ -251,10 +256,6 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     log.add(chosen);
     for (const std::string& warning : warnings) log.warn(": " + warning);
     log.say(opened);
-    const FoundCheckpoint* found = destination->checkpoint();
-    const bool goes_on = destination->to_resume.has_value();
-    std::string checkpoint = found != nullptr ? found->file.string() : "";
-    resources.ranks.broadcast(checkpoint);
     if (goes_on) {
         const long frames = simulation->resume(checkpoint);
         if (sink) sink->go_on(frames);
@@ -262,8 +263,6 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
         remove_file(folder / summary_file_name);
         remove_file(folder / report_file_name);
         remove_file(folder / references_file_name);
-    } else if (found != nullptr) {
-        simulation->start_from(checkpoint);
     }
 
     const std::optional<StartedFrom> started_from = destination->started_from();
@@ -326,11 +325,10 @@ int run_as_one_of_many(const RunCommand& command, Prepared prepared, const Resou
     options.checkpoints.folder = output_folder(command.out, scene_name(prepared.scene));
     std::string checkpoint;
     resources.ranks.broadcast(checkpoint);
+    if (!command.from.empty()) simulation.start_from(checkpoint);
     const auto sink = frame_series(command, options.checkpoints.folder, prepared.scene, resources.ranks);
     options.sink = sink.get();
-    if (!command.from.empty()) {
-        simulation.start_from(checkpoint);
-    } else if (!checkpoint.empty()) {
+    if (command.from.empty() && !checkpoint.empty()) {
         const long frames = simulation.resume(checkpoint);
         if (sink) sink->go_on(frames);
     }

@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include "base/seal.hpp"
+#include "solver/state/checkpoint_file.hpp"
 #include "tests/end_to_end/small_valve.hpp"
 
 namespace dmp::tests::earlier_runs_tests {
@@ -155,6 +157,19 @@ TEST_F(EarlierRuns, LeaveNoLockBehind) {
     EXPECT_THAT(files("out"), Not(Contains("dmp.lock")));
     EXPECT_EQ(run("none", {"--resume"}).code, 2);
     EXPECT_FALSE(fs::exists(folder_.path() / "none"));
+}
+
+TEST_F(EarlierRuns, AreKeptByAStartFromAStateThatLacksSomething) {
+    ASSERT_EQ(run("first", {"--until", "0.01 s"}).code, 0);
+    ASSERT_EQ(run("second", {"--until", "0.01 s"}).code, 0);
+    const std::string state = "first/checkpoints/" + files("first/checkpoints").back();
+    folder_.replace(state, "suction", "section");  // as if by a dmp without it
+    seal(folder_.path() / state, solver::checkpoint_kind, state);
+    expect_refused("second", {"--from", "first", "--until", "0.02 s", "--overwrite"},
+                   HasSubstr("the checkpoint holds no 'reference/suction', which the scene needs now"));
+    // A new folder is not made, so that the next run finds nothing in its way.
+    EXPECT_EQ(run("third", {"--from", "first", "--until", "0.02 s"}).code, 2);
+    EXPECT_FALSE(fs::exists(folder_.path() / "third"));
 }
 
 }  // namespace
