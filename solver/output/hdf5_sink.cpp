@@ -24,6 +24,9 @@ void Hdf5Sink::go_on(long frames) {
     entries_.clear();
     // A run that was stopped before its first frame may have left no index.
     if (frames == 0 || !ranks_.is_first()) return;
+    if (!fs::exists(folder_ / frame_index_name))
+        throw InputError(SourceLocation{folder_.string(), 0, 0}, "the run to be continued has written no HDF5 frames",
+                         "Continue it with the same --frames with which it was started.");
     entries_ = read_frame_index(folder_);
     if (std::ssize(entries_) > frames) entries_.resize(static_cast<std::size_t>(frames));
     for (long number = 0; number < frames; ++number)

@@ -116,7 +116,9 @@ TEST_F(Hdf5Frames, ToKeepThatAreNotThereAreAnInputError) {
         EXPECT_THAT(text_thrown<InputError>([&] { sink.go_on(1); }), HasSubstr("not an index of frames")) << wrong;
     }
     fs::remove(folder_.path() / "frames.json");
-    EXPECT_THROW(sink.go_on(1), InputError);
+    EXPECT_THAT(text_thrown<InputError>([&] { sink.go_on(1); }),
+                testing::AllOf(HasSubstr("the run to be continued has written no HDF5 frames"),
+                               HasSubstr("the same --frames")));
     sink.go_on(0);
     sink.write(channel_frame(0, true));
     EXPECT_THAT(frames(), ElementsAre("frame_000000.h5"));
