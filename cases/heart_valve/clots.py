@@ -45,7 +45,7 @@ def draw(axes, run, time, title):
         if abs(points[a, 0] - points[b, 0]) < 10:  # not one across the periodic ends
             clot = arrays["part"][a] > 0 or arrays["part"][b] > 0
             axes.plot(points[[a, b], 0], points[[a, b], 1], color="black" if clot else "red", linewidth=1)
-    axes.set(title=title, xlim=(-22, 30), ylim=(-22, 22), aspect="equal")
+    axes.set(title=title, xlim=(-22, 30), ylim=(-22, 22), aspect="equal", xlabel="x [mm]", ylabel="y [mm]")
     return shown
 
 
@@ -70,7 +70,7 @@ def main():
     for name, at in (("upper_tip", 2), ("lower_tip", -2)):
         axes.plot(time, at + 1e3 * numpy.array(columns[name + "_y"], float), label=name.replace("_", " "))
     axes.set(xlabel="time [s]", ylabel="y of the tip [mm]", xlim=(0, 3))
-    axes.legend(loc="upper left")
+    axes.legend(loc="lower right", ncols=2)
     save(figure, "calcification.png")
 
     figure, axes = pyplot.subplots(1, 3, figsize=(11, 3.2), layout="constrained")
