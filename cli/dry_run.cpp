@@ -14,6 +14,7 @@
 #include "cli/process_memory.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
+#include "solver/results/expected_steps.hpp"
 
 namespace dmp::cli {
 
@@ -62,15 +63,15 @@ Trial try_out(const Scene& scene, const ParticleSet& particles, const Resources&
 }
 
 std::string dry_run_text(const Scene& scene, const Plan& plan, const Trial& trial, double until) {
-    const double steps = std::ceil(until / plan.dt);
-    const double frames = std::floor(until / scene.output.every * (1 + 1e-12)) + 1;
+    const auto steps = static_cast<double>(expected_steps(scene, plan.dt, until));
+    const double frames = expected_frames(scene, until);
     Listing list;
     for (const auto& [kind, count] : plan.particles) list.add(kind, count_text(count, "particle"));
     list.add("memory",
              fmt::format("{} for the particles ({} each); the trial took {} in all",
                          bytes_text(static_cast<double>(plan.bytes_per_particle * total_of(plan))),
                          bytes_text(static_cast<double>(plan.bytes_per_particle)), bytes_text(trial.peak_memory)));
-    list.add("time", fmt::format("{:.4g} s in about {} of {}", until,
+    list.add("time", fmt::format("{:.4g} s in about {} of at most {}", until,
                                  count_text(static_cast<std::size_t>(steps), "step"), quantity_text(plan.dt, "s")));
     list.add("frames", count_text(static_cast<std::size_t>(frames)));
     list.add("takes", fmt::format("about {} of computing: {} a step, measured here over {}",

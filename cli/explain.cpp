@@ -110,7 +110,7 @@ int execute(const ExplainCommand& command) {
             costs = measure_costs(prepared.scene, prepared.particles, threads, measuring_seconds);
             measured = "\n" + costs_text(prepared.scene, *costs);
         } catch (const DivergenceError& error) {
-            measured = "\nNothing was measured: " + std::string(error.problem()) + "\n";
+            measured = "\nNothing was measured: " + error.problem() + "\n  " + error.what_to_do() + "\n";
         }
     }
     print(head + "\n" + chosen_text(chosen_values(prepared.scene, plan, prepared.origin)) + "\n" +

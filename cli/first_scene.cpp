@@ -336,7 +336,7 @@ class Author {
   public:
     void tell_flow() {
         if (!periodic_) {
-            assume("it is enclosed, at rest and not driven: its ends are not two flat sections that are alike");
+            assume("it is enclosed, at rest and not driven: no two of its ends are flat, alike and square to an axis");
             return;
         }
         assume(fmt::format("what leaves along {} comes in again: its ends there are flat and alike", axis_name()));

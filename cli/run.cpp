@@ -41,6 +41,7 @@
 #include "report/write_report.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/output/hdf5_sink.hpp"
+#include "solver/results/expected_steps.hpp"
 #include "solver/simulation.hpp"
 #include "solver/state/checkpoint_folder.hpp"
 
@@ -226,6 +227,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     prepared.particles = {};
     Plan plan = simulation->plan();
     check_steps(scene, plan, options.until);
+    plan.steps = expected_steps(scene, plan.dt, options.until);
     if (auto warning = frames_rule_steps(scene, plan)) plan.warnings.push_back(std::move(*warning));
     const Listing values = chosen_values(scene, plan, prepared.origin);
     const std::string chosen = head + "\n" + chosen_text(values) + "\n";

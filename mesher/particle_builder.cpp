@@ -238,11 +238,23 @@ void ParticleBuilder::add_walls(const Part& part) {
         add_particle(number, {point, volume, volume * density, -1, true, normal, surface.distance});
         ++count;
     }
-    if (count == 0)
+    if (count == 0) {
+        for (const Polyline& piece : curve.pieces)
+            for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
+                const Vec middle = 0.5 * (piece.points[k] + piece.points[k + 1]);
+                const int owner = wall_at(middle).wall;
+                if (owner < 0 || owner == own) continue;
+                throw InputError(part.name.location,
+                                 "no particle of the wall '" + part.name.value + "' is left: its curve near " +
+                                     position_text(middle, 2) + " is one of the wall '" +
+                                     walls_[static_cast<std::size_t>(owner)].part->name.value + "', too",
+                                 "name each curve in one physical group only, or leave one of the walls out");
+            }
         throw InputError(
             part.name.location,
             "no particle of the wall '" + part.name.value + "' fits behind its curve: there is fluid on both sides",
             "draw the wall as the edge of a hole in the fluid, or refine particles.spacing");
+    }
     MeshReport::PartLine line;
     line.name = part.name;
     line.kind = to_string(PartKind::rigid);

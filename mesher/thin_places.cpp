@@ -103,10 +103,19 @@ std::vector<PlaneSegment> edges_of_fluids(const std::vector<const Region*>& flui
     return edges;
 }
 
+/// Whether the end of a flexible part is drawn where its anchor is.
+bool is_anchored(const Geometry& geometry, const Part& part, const Vec& end, double spacing) {
+    const auto points = geometry.points.find(part.anchor);
+    if (points != geometry.points.end())
+        return std::ranges::any_of(points->second, [&](const Vec& at) { return (at - end).norm() < spacing; });
+    const CurveSet* curves = geometry.curve_set(part.anchor);
+    return curves != nullptr && curves->nearest(end).distance < spacing;
+}
+
 /// From the ends of a flexible part to walls and other flexible pieces. A layer of fluid is half a spacing from a wall,
 /// and a whole one from a flexible curve.
 std::string narrow_tip(const Geometry& geometry, const Scene& scene, const Part& part,
-                       const std::vector<PlaneSegment>& edges) {
+                       const std::vector<PlaneSegment>& edges, const std::function<bool(const Vec&)>& in_fluid) {
     const CurveSet* curve = geometry.curve_set(part.name);
     if (curve == nullptr) return {};  // an area, whose gaps are the fluid's
     const double spacing = scene.particles.spacing;
@@ -116,7 +125,8 @@ std::string narrow_tip(const Geometry& geometry, const Scene& scene, const Part&
         for (const Vec& end : {piece.points.front(), piece.points.back()}) {
             Projection wall{.distance = std::numeric_limits<double>::infinity()}, body = wall;
             for (const auto& [a, b] : edges) keep_nearest(wall, end, a, b);
-            if (wall.distance < spacing) continue;  // it is held there
+            if (wall.distance <= touching * spacing) continue;  // drawn onto it
+            if (wall.distance < spacing && (!in_fluid(end) || is_anchored(geometry, part, end, spacing))) continue;
             for (const Part* other : scene.parts_of(PartKind::elastic))
                 if (const CurveSet* curves = geometry.curve_set(other->name))
                     for (const Polyline& others : curves->pieces)
@@ -124,7 +134,8 @@ std::string narrow_tip(const Geometry& geometry, const Scene& scene, const Part&
                             for_each_segment(others,
                                              [&](const Vec& a, const Vec& b) { keep_nearest(body, end, a, b); });
             if (body.distance < spacing) continue;  // it is joined to it
-            const double particles = std::min(wall.distance / spacing - 0.5, body.distance / spacing - 1);
+            const double particles =
+                std::max(0.0, std::min(wall.distance / spacing - 0.5, body.distance / spacing - 1));
             if (particles >= fewest) continue;
             fewest = particles;
             where = end;
@@ -155,8 +166,10 @@ std::vector<std::string> thin_regions_2d(const Geometry& geometry, const Scene& 
         return open.holds(0.5 * (edge[0] + edge[1])) && open.holds(edge[0]) && open.holds(edge[1]);
     });
     const LocalThickness found = local_thickness(standing_strips(edges, spacing), spacing);
+    std::vector<InsideTest> in_fluids;
+    in_fluids.reserve(fluids.size());
     for (const Region* fluid : fluids) {
-        const InsideTest inside(*fluid);
+        const InsideTest& inside = in_fluids.emplace_back(*fluid);
         said.push_back(with_consequence(
             thinnest_text(found, spacing, least_gap, fluid->name + ": a gap", 2, [&](const ThicknessSample& sample) {
                 Vec middle = 0.5 * (sample.position + sample.opposite);
@@ -166,8 +179,12 @@ std::vector<std::string> thin_regions_2d(const Geometry& geometry, const Scene& 
                            in_body, [&](const InsideTest& body) { return body.side_of(middle) == Side::inside; });
             })));
     }
+    const auto in_fluid = [&](const Vec& point) {
+        return std::ranges::any_of(in_fluids,
+                                   [&](const InsideTest& fluid) { return fluid.side_of(point) == Side::inside; });
+    };
     for (const Part* part : scene.parts_of(PartKind::elastic))
-        said.push_back(narrow_tip(geometry, scene, *part, edges));
+        said.push_back(narrow_tip(geometry, scene, *part, edges, in_fluid));
     return said;
 }
 

@@ -333,11 +333,11 @@ std::vector<Key<Run>> run_keys() {
 
 std::vector<Key<Output>> output_keys() {
     return {
-        {"every", &Output::every, quantity("20 ms", positive), required, "Time between frames."},
+        {"every", &Output::every, quantity("20 ms", positive), required, "Time between frames; the end of a run has one, too."},
         {"fields", &Output::fields, list_of<FluidField>(), "['velocity', 'pressure', 'shear_stress']",
          "Fields of the fluid particles in the frames (docs/results.md)."},
         {"measure_every", &Output::measure_every, quantity_or_auto("5 ms"), "auto",
-         "Time between rows of measures.csv; \"auto\" is a quarter of output.every."},
+         "Time between rows of measures.csv; the end of a run has one, too. \"auto\" is a quarter of output.every."},
         {"pictures", &Output::pictures, boolean(), "true", "Whether pictures are made."},
         {"picture_field", &Output::picture_field, one_of<FluidField>(), "velocity", "Field shown in the pictures."},
         {"solid_fields", &Output::solid_fields, list_of<SolidField>(),

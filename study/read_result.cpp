@@ -17,7 +17,7 @@ namespace {
 
 ValueType<double> time_from_zero() { return quantity("0.2 s", not_negative); }
 
-void check_column(const Result& result, const Measure& measure) {
+void check_column(const Result& result, const Measure& measure, const Study& study) {
     const std::string kind = to_string(*measure.kind);
     const auto count = columns_of(*measure.kind).count;
     if (count == MeasureColumns::Count::one && result.column.given())
@@ -28,6 +28,22 @@ void check_column(const Result& result, const Measure& measure) {
         throw InputError(result.measure.location,
                          "the measure '" + *result.measure + "' of kind '" + kind + "' has several columns",
                          "add column = \"...\", the end of its name in measures.csv after '" + *result.measure + "_'");
+    if (!result.column.given()) return;
+
+    // Where measures or fields vary, only a run can tell.
+    const bool may_vary = std::ranges::any_of(study.keys(), [](const VariedKey& varied) {
+        return varied.key->starts_with("measure.") || varied.key->starts_with("species.") ||
+               varied.key->starts_with("output.");
+    });
+    std::vector<std::string> endings;
+    for (const MeasureColumn& each : measure_columns(study.scene, measure)) {
+        if (may_vary || each.name == result.column_name()) return;
+        if (each.name.size() > result.measure->size()) endings.push_back(each.name.substr(result.measure->size() + 1));
+    }
+    throw InputError(
+        result.column.location,
+        "the measure '" + *result.measure + "' has no column '" + *result.column + "', only " + quoted_list(endings),
+        "write one of these");
 }
 
 /// Whether a key is for the reduction; says so where it is missing or not for it.
@@ -136,7 +152,7 @@ std::vector<Result> read_results(const TomlNode& node, const Study& study) {
     result.measure = table.need("measure", name());
     const Measure& measure = measure_called(study.scene, result.measure);
     result.column = table.read("column", text_not_empty(), result.column);
-    check_column(result, measure);
+    check_column(result, measure, study);
     result.reduce = table.need("reduce", one_of<Reduction>());
     result.from = table.read("from", time_from_zero(), result.from);
     result.until = table.read("until", time_from_zero(), result.until);

@@ -15,6 +15,7 @@
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "scene/read_scene.hpp"
+#include "solver/results/expected_steps.hpp"
 #include "solver/simulation.hpp"
 
 namespace dmp::cli {
@@ -79,10 +80,10 @@ std::string cost_text(const study::Study& study, const study::Points& points, co
     check_steps(prepared.scene, plan, until);
     const Trial trial = try_out(prepared.scene, prepared.particles, resources, until, trial_seconds);
 
-    const double steps = std::ceil(until / plan.dt);
+    const auto steps = static_cast<double>(expected_steps(prepared.scene, plan.dt, until));
     const double seconds = steps * trial.seconds_per_step;
     const auto runs = static_cast<double>(chosen.size());
-    const double frames = std::floor(until / *prepared.scene.output.every * (1 + 1e-12)) + 1;
+    const double frames = expected_frames(prepared.scene, until);
     Listing list;
     list.add("a run", fmt::format("about {} of computing, as {} takes: {} of {}", duration_text(seconds), first.name,
                                   count_text(static_cast<std::size_t>(steps), "step"), quantity_text(plan.dt, "s")));

@@ -172,6 +172,16 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
         causes.emplace_back(8, "flow.acceleration gives no number at that time");
     if (!is_finite(step.body_force().force_density(t)))
         causes.emplace_back(8, "flow.pressure_gradient gives no number at that time");
+    for (const Part* part : scene_.parts_of(PartKind::rigid)) {
+        const auto at_that_time = [&](const auto& velocity) {
+            return std::array{velocity[0](t), velocity[1](t), velocity[2](t)};
+        };
+        const std::string of_part = "part." + *part->name + ".";
+        if (!is_finite(at_that_time(*part->velocity)) || !std::isfinite((*part->spin)(t)))
+            causes.emplace_back(8, of_part + "velocity or spin gives no number at that time");
+        if (!is_finite(at_that_time(*part->surface_velocity)))
+            causes.emplace_back(8, of_part + "surface_velocity gives no number at that time");
+    }
     const bool is_outside = violation.left || outside_box(*violation.group, violation.particle);
     if (is_outside && !scene_.parts_of(PartKind::rigid).empty())
         causes.emplace_back(violation.left ? 4 : 2, "a wall there has a hole or is too thin");

@@ -11,6 +11,7 @@
 #include "particles/apart.hpp"
 #include "solver/output/aggregates.hpp"
 #include "solver/output/make_frame.hpp"
+#include "solver/results/expected_steps.hpp"
 #include "solver/run/models_in_use.hpp"
 #include "solver/run/sound_speed.hpp"
 #include "solver/run/starting_state.hpp"
@@ -225,7 +226,7 @@ Plan FluidRun::plan() const {
     const StepLimit ruling = ruling_limit(plan.limits);
     plan.dt = ruling.dt;
     plan.ruling_limit = ruling.model;
-    plan.steps = steps_of(scene_.run.duration, plan.dt);
+    plan.steps = expected_steps(scene_, plan.dt, scene_.run.duration);
     const std::optional<Warning> better_implicit = viscosity_better_implicit(scene_, plan.limits);
     plan.warnings = warnings_of(scene_, fluid_.springs().bodies().size());
     add_margins(plan, scene_);

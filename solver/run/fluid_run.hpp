@@ -43,6 +43,7 @@ class FluidRun final : public Run {
         strain_.add(fluid_.springs(), scene_);  // the summary has what it finds
     }
     void write_frame(FrameSink* sink) override;
+    void take_measures() override;
     void write_diverged_frame(FrameSink* sink) override;
     void archive(Archive& file) override;
     [[nodiscard]] RunProgress progress(double until) const override;
@@ -58,7 +59,6 @@ class FluidRun final : public Run {
     void archive_accounts(Archive& file);
     /// Accounts, the first row and the first frame of a run that starts from the state of another one.
     void start_from_state(FrameSink* sink);
-    void take_measures();
     void write_what_is_due(FrameSink* sink);
     void stop_if_diverged(FrameSink* sink);
     void stop_if_species_diverged(FrameSink* sink);

@@ -35,6 +35,8 @@ class Warnings {
         about_joins();
         about_measures();
         about_output();
+        if (fluid_ || springs_)
+            has_no_effect("run.until_steady", scene_.run.until_steady, "it ends runs of spheres only");
         for (const IdleKey& idle : idle_step_keys(scene_))
             add(idle.key, idle.location, "has no effect: " + idle.reason, "leave it out");
         return std::move(found_);

@@ -9,6 +9,7 @@
 
 #include "base/errors.hpp"
 #include "solver/forcing/driven.hpp"
+#include "solver/results/expected_steps.hpp"
 #include "solver/spheres/sphere_energy.hpp"
 #include "solver/spheres/sphere_group.hpp"
 #include "solver/spheres/sphere_monitor.hpp"
@@ -140,7 +141,7 @@ Plan SphereRun::plan() const {
     const StepLimit ruling = ruling_of(plan.limits);
     plan.dt = ruling.dt;
     plan.ruling_limit = ruling.model;
-    plan.steps = steps_of(scene_.run.duration, plan.dt);
+    plan.steps = expected_steps(scene_, plan.dt, scene_.run.duration);
     plan.models = sphere_models(scene_, setup_, space_);
     add_margins(plan, scene_);
     if (const auto warning = by_hand_.inaccurate_at(fastest_)) plan.warnings.push_back(*warning);
@@ -213,7 +214,7 @@ void SphereRun::write_frame(FrameSink* sink) {
 }
 
 void SphereRun::write_what_is_due(FrameSink* sink) {
-    if (measure_times_.due(time_)) measures_.take(time_, step_);
+    if (measure_times_.due(time_)) take_measures();
     if (frame_times_.due(time_)) write_frame(sink);
 }
 
@@ -260,7 +261,7 @@ void SphereRun::start(FrameSink* sink) {
     energy_at_start_ = energy();
     stop_if_diverged(sink);
     if (!from_state) return write_what_is_due(sink);
-    measures_.take(time_, step_);
+    take_measures();
     write_frame(sink);
 }
 

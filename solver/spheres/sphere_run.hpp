@@ -29,6 +29,7 @@ class SphereRun final : public Run {
     void finish(FrameSink* sink) override;
     [[nodiscard]] bool finished() const override { return steady_state_.reached(); }
     void write_frame(FrameSink* sink) override;
+    void take_measures() override { measures_.take(time_, step_); }
     void write_diverged_frame(FrameSink* sink) override { write_frame(sink); }
     void archive(Archive& file) override;
     [[nodiscard]] RunProgress progress(double until) const override;

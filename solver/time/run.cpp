@@ -114,8 +114,12 @@ Run::End Run::step_until(Checkpoints& checkpoints, const RunOptions& options, do
     if (checkpoints.wanted() && options.checkpoints.at_end && !depends_on_end && !end.interrupted &&
         step() > first_step)
         save();
-    // The last state gets a frame, also where none is due.
+    // The last state gets a frame and a row of measures, also where none is due.
     write_frame(options.sink);
+    if (series().time.empty() || series().time.back() < time()) {
+        take_measures();
+        if (options.measured) options.measured(series());
+    }
     end.wall = seconds_since(start);
     return end;
 }

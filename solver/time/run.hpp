@@ -82,6 +82,8 @@ class Run {
     /// Whether nothing more will happen; the same on all ranks.
     [[nodiscard]] virtual bool finished() const { return false; }
     virtual void write_frame(FrameSink* sink) = 0;
+    /// Adds a row of measures of the present state.
+    virtual void take_measures() = 0;
     /// The same of a state that may hold anything: no neighbours are searched.
     virtual void write_diverged_frame(FrameSink* sink) = 0;
     virtual void archive(Archive& file) = 0;

@@ -63,6 +63,13 @@ TEST_F(BlowUp, FromAFormulaThatGivesNoNumberNamesIt) {
     EXPECT_GT(read_frame(series.back().file, "fluid").frame.time, 0.0151);
 }
 
+TEST_F(BlowUp, FromAWallWhoseMotionIsNoNumberNamesIt) {
+    const auto ended =
+        run("out", {"--set", "part.wall.surface_velocity=[\"0 m/s / (t < 0.01 s ? 1 : 0)\", 0]", "--until", "0.1 s"});
+    ASSERT_EQ(ended.code, 3) << ended.errors;
+    EXPECT_THAT(ended.errors, HasSubstr("part.wall.surface_velocity gives no number at that time"));
+}
+
 TEST_F(BlowUp, FromAHoleInTheDrawnWallIsRefusedBeforehand) {
     folder_.replace("vein_valve.geo", "Line(20) = {20, 21};",
                     "Point(26) = {-0.030, -half_width, 0};\nPoint(27) = {-0.027, -half_width, 0};\n"

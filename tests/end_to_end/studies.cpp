@@ -154,9 +154,9 @@ TEST_F(Studies, OtherResultsNeedNoOtherRuns) {
     ASSERT_EQ(sweep("out").code, 2);
     folder_.replace("valve.toml", "measure = \"inlet_flux\"\nreduce = \"integral\"",
                     "measure = \"density\"\ncolumn = \"lowest\"\nreduce = \"last\"");
-    ASSERT_EQ(sweep("out", {"--resume"}).code, 2);
-    EXPECT_THAT(table("out")[0].back(),
-                HasSubstr("result 'volume': the columns of measure 'density' are 'low' and 'high'"));
+    const Outcome refused = sweep("out", {"--resume"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("the measure 'density' has no column 'lowest', only 'low' and 'high'"));
     folder_.replace("valve.toml", "lowest", "low");
     ASSERT_EQ(sweep("out", {"--resume"}).code, 2);
     EXPECT_EQ(table("out")[0].back(), "");

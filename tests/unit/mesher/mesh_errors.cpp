@@ -148,6 +148,15 @@ TEST(MeshErrors, AWallWithFluidOnBothSides) {
               "draw the wall as the edge of a hole in the fluid, or refine particles.spacing");
 }
 
+TEST(MeshErrors, AWallOnTheCurveOfAnother) {
+    EXPECT_EQ(fault_of(channel
+                           .with("Physical Curve(\"wall\") = {1, 3};",
+                                 "Physical Curve(\"wall\") = {1, 3};\nPhysical Curve(\"lid\") = {3};")
+                           .with("[flow]", "[[part]]\nname = \"lid\"\nkind = \"rigid\"\n[flow]")),
+              "scene.toml:15:8: no particle of the wall 'lid' is left: its curve near (2, 2) m is one of the wall "
+              "'wall', too\n  name each curve in one physical group only, or leave one of the walls out");
+}
+
 TEST(MeshErrors, BodiesOnTopOfEachOther) {
     const std::string what_to_do =
         "  refine particles.spacing, or draw them further apart: an elastic solid's rows stand half a spacing beside "

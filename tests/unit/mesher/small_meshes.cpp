@@ -150,6 +150,10 @@ TEST(ChannelMesh, GapsTooNarrowForThreeParticlesAreSaid) {
     EXPECT_THAT(mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 1.7, 0}")).report.warnings,
                 testing::Contains("flap: a gap at its end near (2, 1.7) m that 1.9 particles fit into, less "
                                   "than 3"));
+    // Nearer to the wall than a spacing, where its other end is held.
+    EXPECT_THAT(
+        mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 1.9, 0}")).report.warnings,
+        testing::Contains(testing::HasSubstr("flap: a gap at its end near (2, 1.9) m that 0.3 particles fit into")));
     // 3.5 spacings from the wall, as the fluid's first layer is half a spacing from it; and a bridge has no loose end.
     EXPECT_THAT(mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 1.5625, 0}")).report.warnings,
                 testing::Not(testing::Contains(testing::HasSubstr("gap"))));

@@ -52,12 +52,6 @@ RunSummary run(const SceneAndParticles& made, const RunOptions& chosen = {}) {
     return simulation.run(chosen);
 }
 
-TEST(StepsOf, AreCountedUpAndNeverBeyondWhatCanBeCounted) {
-    EXPECT_EQ(steps_of(1, 0.3), 4);
-    EXPECT_EQ(steps_of(0, 0.3), 0);
-    EXPECT_EQ(steps_of(1e150, 1e-6), std::numeric_limits<long>::max());
-}
-
 TEST(Frames, come_at_exactly_the_times_asked_for) {
     SceneAndParticles made = endless_water("0.5");
     made.scene.output.every = 0.1;

@@ -88,6 +88,8 @@ INSTANTIATE_TEST_SUITE_P(
                "has no effect: it is 0"},
         Oddity{"mass_damping_of_nothing", [](Scene& s) { give(s.parts[2].mass_damping, 0.0); },
                "scene.toml:7:9: part.flap.mass_damping", "has no effect: it is 0"},
+        Oddity{"a_steady_state_of_no_spheres", [](Scene& s) { give(s.run.until_steady, 1.0); },
+               "scene.toml:7:9: run.until_steady", "has no effect: it ends runs of spheres only"},
         Oddity{"contact_of_nothing",
                [](Scene& s) {
                    without(s, PartKind::rigid);

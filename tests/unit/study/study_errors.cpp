@@ -4,6 +4,7 @@
 
 #include "tests/modules.hpp"
 #include "tests/unit/study/study_text.hpp"
+#include "tests/unit/thrown.hpp"
 
 namespace dmp::tests::study_errors_tests {
 namespace {
@@ -238,6 +239,22 @@ TEST(BadTable, SaysTheLine) {
     EXPECT_EQ(table_fault("particles.spacing [mm]\n"),
               "table.csv:1:1: the table has a heading only\n"
               "  write a line for each run below it");
+}
+
+TEST(BadStudy, AColumnThatTheMeasureLacksInAnyRun) {
+    const Folder folder;
+    Folder::write(good_scene +
+                  "\n[[measure]]\nname = \"tip\"\nkind = \"displacement\"\npart = \"leaflets\"\n"
+                  "point = [\"1 mm\", \"1 mm\"]\n");
+    const std::string study = study_with("measure = \"tip_gap\"", "measure = \"tip\"\ncolumn = \"z\"");
+    Folder::write(study, "study.toml");
+    EXPECT_EQ(text_thrown<InputError>([] { static_cast<void>(read_study("study.toml")); }),
+              "study.toml:14:10: the measure 'tip' has no column 'z', only 'x' and 'y'\n  write one of these");
+    // Where measures vary, only a run can tell.
+    Folder::write(
+        study + "\n[[vary]]\nkey = \"measure.tip.point\"\nvalues = [[\"1 mm\", \"1 mm\"], [\"2 mm\", \"1 mm\"]]\n",
+        "study.toml");
+    EXPECT_EQ(read_study("study.toml").results.size(), 2U);
 }
 
 TEST(BadStudyFile, IsAFileThatVariesSomething) {
