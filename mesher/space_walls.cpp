@@ -143,8 +143,8 @@ void SpaceBuilder::add_walls(const Part& part) {
     const auto wall = std::ranges::find(walls_, &part, &Wall::part);
     const auto particles = std::exchange(wall_particles_[static_cast<std::size_t>(wall - walls_.begin())], {});
     if (particles.empty() && wall->facing)
-        result_.report.notes.push_back(part.name.value +
-                                       ": it has no particles, as fluid is nowhere within its layers");
+        result_.report.warnings.push_back(part.name.value +
+                                          ": it has no particles, as fluid is nowhere within its layers");
     else if (particles.empty())
         throw InputError(
             part.name.location,
