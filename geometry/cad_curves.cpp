@@ -130,7 +130,9 @@ CurveSet CadCurves::set(const std::string& name, const std::vector<int>& tags) {
 std::vector<CurvePiece> CadCurves::boundary(const std::vector<int>& surfaces) {
     std::vector<CurvePiece> pieces;
     std::vector<int> meshes;
-    for (const int surface : surfaces) {
+    for (auto each = surfaces.begin(); each != surfaces.end(); ++each) {
+        const int surface = *each;
+        if (std::find(surfaces.begin(), each, surface) != each) continue;  // gmsh's groups may name one twice
         if (type_of(2, surface) == "Discrete surface") {
             meshes.push_back(surface);
             continue;

@@ -31,6 +31,11 @@ std::vector<Vec> clamped_nodes(const ParticleSet& set) {
     return nodes;
 }
 
+TEST(ChannelMesh, OfAnAreaThatItsGroupNamesTwiceIsOfTheAreaOnce) {
+    const auto positions = [](const Texts& texts) { return mesh_texts(texts).particles.position; };
+    EXPECT_EQ(positions(channel.with("(\"water\") = {1}", "(\"water\") = {1, 1}")), positions(channel));
+}
+
 TEST(ChannelMesh, EndsAtPlanesOfSymmetry) {
     // Walls above and below, planes at both ends; 4 m are a whole number of cells of about 0.13 m after stretching.
     const Meshed meshed = mesh_texts(
