@@ -74,6 +74,17 @@ function studyPlots(data, figures) {
       return (digitOf(value) === 1 ? "" : digitOf(value) + "·") + "10" + superscript(exponent);
     });
   }
+  // Of the texts below a horizontal axis those that have room beside each other, round numbers first.
+  function withRoom(plot, splits, texts) {
+    const rounder = [1, 5, 2, 3, 7, 4, 6, 8, 9], shown = [];
+    const order = splits.map((_, k) => k).sort((a, b) => rounder.indexOf(digitOf(splits[a])) - rounder.indexOf(digitOf(splits[b])));
+    for (const k of order) {
+      const at = plot.valToPos(splits[k], "x"), half = 4 * texts[k].length + 3;
+      if (shown.some((other) => Math.abs(other.at - at) < other.half + half)) texts[k] = "";
+      else if (texts[k] !== "") shown.push({ at, half });
+    }
+    return texts;
+  }
   const padded = (logarithmic, part) => (plot, low, high) => {
     if (low == null) return logarithmic ? [1, 10] : [0, 1];
     if (logarithmic) { const factor = Math.max((high / low) ** part, 1.1); return [low / factor, high * factor]; }
@@ -83,8 +94,11 @@ function studyPlots(data, figures) {
   function axisOf(name, unit, values, logarithmic, isHorizontal, categories) {
     if (categories)
       return { ...axis(name, isHorizontal, (splits) => splits.map((k) => categories[k] ?? "")), splits: () => categories.map((_, k) => k) };
-    if (logarithmic)
-      return { ...axis(heading(name, unit), isHorizontal, logText), splits: (plot, index, low, high) => logSplits(low, high), filter: (plot, splits) => splits };
+    if (logarithmic) {
+      const texts = (plot, splits) => (isHorizontal ? withRoom(plot, splits, logText(splits)) : logText(splits));
+      return { ...axis(heading(name, unit), isHorizontal, logText), values: texts,
+        splits: (plot, index, low, high) => logSplits(low, high), filter: (plot, splits) => splits };
+    }
     const exponent = exponentOf(values);
     return axis(heading(name, exponent || unit ? axisName(unit === "1" ? "" : unit, exponent).trim() : ""), isHorizontal, numbersIn(exponent));
   }
