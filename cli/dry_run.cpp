@@ -71,7 +71,7 @@ std::string dry_run_text(const Scene& scene, const Plan& plan, const Trial& tria
              fmt::format("{} for the particles ({} each); the trial took {} in all",
                          bytes_text(static_cast<double>(plan.bytes_per_particle * total_of(plan))),
                          bytes_text(static_cast<double>(plan.bytes_per_particle)), bytes_text(trial.peak_memory)));
-    list.add("time", fmt::format("{:.4g} s in about {} of at most {}", until,
+    list.add("time", fmt::format("{:.4g} s in about {} of about {}", until,
                                  count_text(static_cast<std::size_t>(steps), "step"), quantity_text(plan.dt, "s")));
     list.add("frames", count_text(static_cast<std::size_t>(frames)));
     list.add("takes", fmt::format("about {} of computing: {} a step, measured here over {}",

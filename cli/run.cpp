@@ -219,7 +219,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     const std::string head = heading(prepared);
     const ParticleSet particles = command.dry_run ? prepared.particles : ParticleSet{};
     if (destination != nullptr) {
-        if (const FoundCheckpoint* found = destination->checkpoint()) check_particles(*found, prepared.particles);
+        if (const FoundCheckpoint* start = destination->checkpoint()) check_particles(*start, prepared.particles);
         options.checkpoints.label = {resolved_scene(scene), build_facts().version, fingerprint(prepared.particles),
                                      destination->started_from()};
     }
@@ -227,7 +227,9 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     prepared.particles = {};
     Plan plan = simulation->plan();
     check_steps(scene, plan, options.until);
+    const FoundCheckpoint* found = destination != nullptr ? destination->checkpoint() : nullptr;
     plan.steps = expected_steps(scene, plan.dt, options.until);
+    if (found != nullptr) plan.steps -= expected_steps(scene, plan.dt, found->time);
     if (auto warning = frames_rule_steps(scene, plan)) plan.warnings.push_back(std::move(*warning));
     const Listing values = chosen_values(scene, plan, prepared.origin);
     const std::string chosen = head + "\n" + chosen_text(values) + "\n";
@@ -246,7 +248,6 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
 
     const fs::path& folder = destination->results.path();
     options.checkpoints.folder = folder;
-    const FoundCheckpoint* found = destination->checkpoint();
     const bool goes_on = destination->to_resume.has_value();
     std::string checkpoint = found != nullptr ? found->file.string() : "";
     resources.ranks.broadcast(checkpoint);

@@ -13,6 +13,7 @@
 #include "cli/terminal.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/scene_difference.hpp"
+#include "solver/results/expected_steps.hpp"
 #include "solver/run/setup.hpp"
 
 namespace dmp::cli {
@@ -93,7 +94,7 @@ void write_scene_of_run(const fs::path& folder, const Scene& scene, const Plan& 
                         double until, const std::optional<StartedFrom>& started_from) {
     Scene as_run = scene;
     as_run.run.duration.value = until;
-    if (*as_run.output.measure_every == 0) as_run.output.measure_every.value = as_run.output.every / 4;
+    as_run.output.measure_every.value = time_between_rows(scene);
     if (plan.sound.value > 0) as_run.numerics.sound_speed.value = plan.sound.value;
     if (plan.sound.value > 0 && *as_run.contact.strength == 0)
         as_run.contact.strength.value = pair_settings(as_run, resources).repulsion_strength;

@@ -103,13 +103,19 @@ std::vector<PlaneSegment> edges_of_fluids(const std::vector<const Region*>& flui
     return edges;
 }
 
-/// Whether the end of a flexible part is drawn where its anchor is.
-bool is_anchored(const Geometry& geometry, const Part& part, const Vec& end, double spacing) {
+/// Whether something holds the end of a flexible part that is less than a spacing from a wall: its anchor, as
+/// ParticleBuilder clamps nodes, or a join.
+bool is_held(const Geometry& geometry, const Scene& scene, const Part& part, const Vec& end) {
+    const double spacing = scene.particles.spacing;
+    if (std::ranges::any_of(scene.joins, [&](const Join& join) {
+            return join.parts.value[0] == *part.name || join.parts.value[1] == *part.name;
+        }))
+        return true;
     const auto points = geometry.points.find(part.anchor);
     if (points != geometry.points.end())
-        return std::ranges::any_of(points->second, [&](const Vec& at) { return (at - end).norm() < spacing; });
+        return std::ranges::any_of(points->second, [&](const Vec& at) { return (at - end).norm() <= 0.51 * spacing; });
     const CurveSet* curves = geometry.curve_set(part.anchor);
-    return curves != nullptr && curves->nearest(end).distance < spacing;
+    return curves != nullptr && curves->nearest(end).distance <= 0.1 * spacing;
 }
 
 /// From the ends of a flexible part to walls and other flexible pieces. A layer of fluid is half a spacing from a wall,
@@ -126,7 +132,7 @@ std::string narrow_tip(const Geometry& geometry, const Scene& scene, const Part&
             Projection wall{.distance = std::numeric_limits<double>::infinity()}, body = wall;
             for (const auto& [a, b] : edges) keep_nearest(wall, end, a, b);
             if (wall.distance <= touching * spacing) continue;  // drawn onto it
-            if (wall.distance < spacing && (!in_fluid(end) || is_anchored(geometry, part, end, spacing))) continue;
+            if (wall.distance < spacing && (!in_fluid(end) || is_held(geometry, scene, part, end))) continue;
             for (const Part* other : scene.parts_of(PartKind::elastic))
                 if (const CurveSet* curves = geometry.curve_set(other->name))
                     for (const Polyline& others : curves->pieces)
@@ -180,8 +186,8 @@ std::vector<std::string> thin_regions_2d(const Geometry& geometry, const Scene& 
             })));
     }
     const auto in_fluid = [&](const Vec& point) {
-        return std::ranges::any_of(in_fluids,
-                                   [&](const InsideTest& fluid) { return fluid.side_of(point) == Side::inside; });
+        const auto holds = [&](const InsideTest& area) { return area.side_of(point) == Side::inside; };
+        return std::ranges::any_of(in_fluids, holds) && std::ranges::none_of(in_body, holds);
     };
     for (const Part* part : scene.parts_of(PartKind::elastic))
         said.push_back(narrow_tip(geometry, scene, *part, edges, in_fluid));

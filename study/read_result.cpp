@@ -28,22 +28,25 @@ void check_column(const Result& result, const Measure& measure, const Study& stu
         throw InputError(result.measure.location,
                          "the measure '" + *result.measure + "' of kind '" + kind + "' has several columns",
                          "add column = \"...\", the end of its name in measures.csv after '" + *result.measure + "_'");
-    if (!result.column.given()) return;
 
-    // Where measures or fields vary, only a run can tell.
+    // Where measures, fields or the dimension vary, only a run can tell.
     const bool may_vary = std::ranges::any_of(study.keys(), [](const VariedKey& varied) {
-        return varied.key->starts_with("measure.") || varied.key->starts_with("species.") ||
-               varied.key->starts_with("output.");
+        return *varied.key == "dimension" || varied.key->starts_with("measure.") ||
+               varied.key->starts_with("species.") || varied.key->starts_with("output.");
     });
+    if (may_vary) return;
     std::vector<std::string> endings;
     for (const MeasureColumn& each : measure_columns(study.scene, measure)) {
-        if (may_vary || each.name == result.column_name()) return;
+        if (each.name == result.column_name()) return;
         if (each.name.size() > result.measure->size()) endings.push_back(each.name.substr(result.measure->size() + 1));
     }
-    throw InputError(
-        result.column.location,
-        "the measure '" + *result.measure + "' has no column '" + *result.column + "', only " + quoted_list(endings),
-        "write one of these");
+    const std::string named = "the measure '" + *result.measure + "'";
+    if (endings.empty()) throw InputError(result.column.location, named + " has one column", "remove 'column'");
+    const std::string found =
+        result.column.given() ? " has no column '" + *result.column + "', only " : " has the columns ";
+    throw InputError(result.column.given() ? result.column.location : result.measure.location,
+                     named + found + quoted_list(endings),
+                     "write column = \"" + endings.front() + "\" or another of them");
 }
 
 /// Whether a key is for the reduction; says so where it is missing or not for it.

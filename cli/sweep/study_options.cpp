@@ -11,6 +11,7 @@
 #include "cli/text.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/toml_node.hpp"
+#include "solver/results/expected_steps.hpp"
 
 namespace dmp::cli {
 
@@ -44,10 +45,6 @@ std::vector<std::string> overrides_that_add(const std::vector<std::string>& meas
     std::vector<std::string> overrides;
     for (const std::string& kind : measures) overrides.push_back("measure." + kind + ".kind=" + toml_quoted(kind));
     return overrides;
-}
-
-double time_between_rows(const Scene& scene) {
-    return *scene.output.measure_every > 0 ? *scene.output.measure_every : *scene.output.every / 4;
 }
 
 void need_two_rows(const Scene& scene, const std::string& until) {

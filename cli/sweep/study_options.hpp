@@ -23,9 +23,6 @@ namespace dmp::cli {
 /// What adds them, each under the name of its kind, as --set takes it.
 [[nodiscard]] std::vector<std::string> overrides_that_add(const std::vector<std::string>& measures);
 
-/// Time between rows of measures.csv [s].
-[[nodiscard]] double time_between_rows(const Scene& scene);
-
 /// Throws InputError where its runs have fewer than two rows of measures; `until`: what --until says, "": nothing.
 void need_two_rows(const Scene& scene, const std::string& until);
 

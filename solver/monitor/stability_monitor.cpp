@@ -179,7 +179,8 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
         const std::string of_part = "part." + *part->name + ".";
         if (!is_finite(at_that_time(*part->velocity)) || !std::isfinite((*part->spin)(t)))
             causes.emplace_back(8, of_part + "velocity or spin gives no number at that time");
-        if (!is_finite(at_that_time(*part->surface_velocity)))
+        if (std::ranges::none_of(*part->surface_velocity, &Expression::depends_on_position) &&
+            !is_finite(at_that_time(*part->surface_velocity)))
             causes.emplace_back(8, of_part + "surface_velocity gives no number at that time");
     }
     const bool is_outside = violation.left || outside_box(*violation.group, violation.particle);

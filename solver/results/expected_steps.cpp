@@ -15,9 +15,13 @@ constexpr double rounding = 1e-9;
 
 }  // namespace
 
+double time_between_rows(const Scene& scene) {
+    return *scene.output.measure_every > 0 ? *scene.output.measure_every : *scene.output.every / 4;
+}
+
 long expected_steps(const Scene& scene, double dt, double until) {
     const double frames = scene.output.every;
-    const double rows = scene.output.measure_every > 0 ? *scene.output.measure_every : frames / 4;
+    const double rows = time_between_rows(scene);
     const double interval = std::min(frames, rows);
     const auto steps_in = [&](double length) { return std::max(1.0, std::ceil(length / dt * (1 - 1e-12))); };
     // Of so many intervals those that a time of the other kind divides do not count.

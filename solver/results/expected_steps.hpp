@@ -6,6 +6,9 @@
 
 namespace dmp::solver {
 
+/// Time between rows of measures [s].
+[[nodiscard]] double time_between_rows(const Scene& scene);
+
 /// Steps of at most dt [s] that a run takes until a time [s]: none goes beyond a time at which a frame or a row of
 /// measures is due. Of more than can be counted the largest number.
 [[nodiscard]] long expected_steps(const Scene& scene, double dt, double until);

@@ -58,7 +58,7 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
       reached_(scene_, sound_),
       strain_(fluid_.springs()),
       frame_times_(scene_.output.every),
-      measure_times_(scene_.output.measure_every > 0 ? scene_.output.measure_every.value : scene_.output.every / 4) {
+      measure_times_(time_between_rows(scene_)) {
     for (std::size_t i = 0; i < set.size(); ++i) ++count_[to_string(set.kind(i))];
     fill_store(scene_, set, particles_);
     fluid_.take_speed();

@@ -66,7 +66,7 @@ SphereRun::SphereRun(Scene scene, const ParticleSet& set, const Resources& resou
       measures_(scene_, set, ranks_),
       steady_state_(scene_.run.until_steady),
       frame_times_(scene_.output.every),
-      measure_times_(scene_.output.measure_every > 0 ? scene_.output.measure_every.value : scene_.output.every / 4) {
+      measure_times_(time_between_rows(scene_)) {
     count_["spheres"] = set.size();
     fastest_ = rounded_speed(step_.speed_for_limits(0));
     by_hand_.check(fastest_);

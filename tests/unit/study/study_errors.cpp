@@ -2,6 +2,8 @@
 // Wrong study files: the exact place, what was found and what to do.
 #include <ostream>
 
+#include <gmock/gmock.h>
+
 #include "tests/modules.hpp"
 #include "tests/unit/study/study_text.hpp"
 #include "tests/unit/thrown.hpp"
@@ -248,8 +250,13 @@ TEST(BadStudy, AColumnThatTheMeasureLacksInAnyRun) {
                   "point = [\"1 mm\", \"1 mm\"]\n");
     const std::string study = study_with("measure = \"tip_gap\"", "measure = \"tip\"\ncolumn = \"z\"");
     Folder::write(study, "study.toml");
-    EXPECT_EQ(text_thrown<InputError>([] { static_cast<void>(read_study("study.toml")); }),
-              "study.toml:14:10: the measure 'tip' has no column 'z', only 'x' and 'y'\n  write one of these");
+    EXPECT_EQ(
+        text_thrown<InputError>([] { static_cast<void>(read_study("study.toml")); }),
+        "study.toml:14:10: the measure 'tip' has no column 'z', only 'x' and 'y'\n  write column = \"x\" or another of "
+        "them");
+    Folder::write(study_with("measure = \"tip_gap\"", "measure = \"tip\""), "study.toml");
+    EXPECT_THAT(text_thrown<InputError>([] { static_cast<void>(read_study("study.toml")); }),
+                testing::HasSubstr("study.toml:13:11: the measure 'tip' of kind 'displacement' has several columns"));
     // Where measures vary, only a run can tell.
     Folder::write(
         study + "\n[[vary]]\nkey = \"measure.tip.point\"\nvalues = [[\"1 mm\", \"1 mm\"], [\"2 mm\", \"1 mm\"]]\n",
