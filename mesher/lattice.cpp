@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/unlisted_value.hpp"
+#include "mesher/whole_cells.hpp"
 
 namespace dmp::mesher {
 
@@ -31,7 +32,7 @@ Lattice::Lattice(const Box& box, const std::array<bool, 3>& periodic, double spa
         const double period = box.extent()[axis];
         // Hexagonal rows alternate, so two of them make the cell that repeats in y.
         const double rows = hexagonal && axis == 1 && periodic[axis] ? 2 : 1;
-        step_[axis] = period / (rows * std::max(1.0, std::round(period / (rows * step_[axis]))));
+        step_[axis] = period / (rows * whole_cells(period / (rows * step_[axis])));
     }
 }
 

@@ -12,6 +12,7 @@
 
 #include "geometry/nearest_curve.hpp"
 #include "geometry/nearest_triangle.hpp"
+#include "mesher/whole_cells.hpp"
 
 namespace dmp::mesher {
 
@@ -208,7 +209,7 @@ BoxLattice own_lattice(const ParticleSpace& space, const BoxLattice& of_scene, c
         else if (!flat[0] && !flat[1])
             continue;
         const double length = std::max(flat[0] ? mark - low : 0.0, flat[1] ? high - mark : 0.0);
-        const double cells = std::max(1.0, std::round(length / step)), fitted = length / cells;
+        const double cells = whole_cells(length / step), fitted = length / cells;
         const bool is_fitted = std::abs(fitted / step - 1) <= most_stretched;
         const double off = (mark - of_scene.origin[axis]) / step;
         const bool is_scenes = std::abs(off - std::round(off)) <= same_place &&

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/unlisted_value.hpp"
+#include "mesher/whole_cells.hpp"
 
 namespace dmp::mesher {
 
@@ -50,7 +51,7 @@ SpaceLattice::SpaceLattice(const Box& box, const std::array<bool, 3>& periodic, 
         const double extent = box.extent()[static_cast<Eigen::Index>(axis)];
         const double cell = periodic.at(axis) ? repeat.at(axis) : 1;
         if (periodic.at(axis) || fitted.at(axis))
-            step_.at(axis) = extent / (cell * std::max(1.0, std::round(extent / (cell * step_.at(axis)))));
+            step_.at(axis) = extent / (cell * whole_cells(extent / (cell * step_.at(axis))));
         outside_.at(axis) = periodic.at(axis) ? 0 : static_cast<int>(std::ceil(margin / step_.at(axis)));
         count.at(axis) = static_cast<int>(std::ceil(extent / step_.at(axis) - 1e-9)) + 2 * outside_.at(axis);
     }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "mesher/whole_cells.hpp"
+
 namespace dmp::mesher {
 
 namespace {
@@ -118,7 +120,7 @@ LadderConstants ladder_constants(const Part& part, double along, double across) 
 
 Ladder ladder_along(const Polyline& curve, double spacing) {
     const double length = curve.length();
-    const int cells = std::max(1, static_cast<int>(std::lround(length / spacing)));
+    const int cells = static_cast<int>(whole_cells(length / spacing));
     Ladder ladder;
     ladder.along = length / cells;
     for (int column = 0; column <= cells; ++column) {

@@ -171,6 +171,13 @@ TEST(LadderAlong, AStraightCurve) {
     }
 }
 
+TEST(LadderAlong, OfHalfACellMoreHasAsManyColumnsWhereverItStands) {
+    for (int k = 0; k < 200; ++k) {
+        const Vec from(0.001 * k * k, -0.077 * k, 0), along(std::cos(0.1 * k), std::sin(0.1 * k), 0);
+        EXPECT_EQ(ladder_along({{from, from + 0.01 * along}, false}, 0.0008).columns(), 13 + 1) << k;
+    }
+}
+
 TEST(LadderAlong, ColumnsFitTheLength) {
     const Polyline line{{Vec(0, 0, 0), Vec(1.07, 0, 0)}, false};
     for (const auto& [spacing, cells] : {std::pair{0.1, 11}, std::pair{0.103, 10}, std::pair{5.0, 1}}) {
