@@ -76,7 +76,7 @@ def draw_paths(study, picture):
     for panel, last in zip(axes, end):
         squeezed(panel, last)
         panel.set(xlabel="time [s]", xlim=(0, last))
-        panel.legend(loc="center right")
+        panel.legend(loc="lower right" if panel is axes[0] else "center right")
     save(figure, picture)
 
 
@@ -101,7 +101,7 @@ def draw_states(picture, frames):
         walls, _ = read(run / "walls.vtp")
         fluid, fields = read(run / "frames" / f"fluid_{number:06d}.vtp")
         solid, solid_fields = read(run / "frames" / f"solid_{number:06d}.vtp")
-        dots = panel.scatter(*fluid[:, :2].T, s=7, c=1e3 * fields["velocity"][:, 0], cmap="RdBu_r", vmin=-50, vmax=50, lw=0)
+        dots = panel.scatter(*fluid[:, :2].T, s=7, c=1e3 * fields["velocity"][:, 0], cmap="coolwarm", vmin=-50, vmax=50, lw=0)
         panel.scatter(*walls[:, :2].T, s=7, c="0.6", lw=0)
         wrapped = (solid[:, 0] + PERIOD / 2) % PERIOD - PERIOD / 2
         name = NAMES[int(run.name[:4]) - 1]
