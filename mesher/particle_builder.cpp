@@ -135,7 +135,7 @@ void ParticleBuilder::nearest_from_images(const Vec& point, WallPoint& best) con
             image[axis] = twice_plane - image[axis];
             for (std::size_t w = 0; w < walls_.size(); ++w) {
                 auto found = walls_[w].curve.nearest(image);
-                if (!found || found->distance >= (1 - 1e-9) * walls_[w].thickness) continue;
+                if (!found || !walls_[w].holds(found->distance)) continue;
                 if (best.wall >= 0 && best.surface.distance <= found->distance) continue;
                 found->point[axis] = twice_plane - found->point[axis];
                 best = {static_cast<int>(w), *found};
@@ -148,7 +148,7 @@ ParticleBuilder::WallPoint ParticleBuilder::wall_at(const Vec& point) const {
     const auto nearest_from = [&](const Vec& shift) {
         for (std::size_t w = 0; w < walls_.size(); ++w) {
             const auto found = walls_[w].curve.nearest(point + shift);
-            if (!found || found->distance >= (1 - 1e-9) * walls_[w].thickness) continue;
+            if (!found || !walls_[w].holds(found->distance)) continue;
             if (best.wall >= 0 && best.surface.distance <= found->distance) continue;
             best = {static_cast<int>(w), {found->point - shift, found->distance}};
         }

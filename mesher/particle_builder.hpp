@@ -70,6 +70,8 @@ class ParticleBuilder {
         const Part* part;
         double thickness;
         NearestCurve curve;
+        /// Whether a particle so far behind the surface is of the wall: none at its thickness, whatever the last digits.
+        [[nodiscard]] bool holds(double distance) const { return distance < (1 - 1e-9) * thickness; }
     };
     struct Fluid {
         const Part* part;
