@@ -70,7 +70,7 @@ class ParticleBuilder {
         const Part* part;
         double thickness;
         NearestCurve curve;
-        /// Whether a particle so far behind the surface is of the wall: none at its thickness, whatever the last digits.
+        /// Whether a particle so far behind the surface is of the wall: none at its thickness, whatever the digits.
         [[nodiscard]] bool holds(double distance) const { return distance < (1 - 1e-9) * thickness; }
     };
     struct Fluid {
