@@ -76,10 +76,14 @@ FrameGroup group_of(const ParticleSet& particles, PartKind kind, const char* nam
         group.fields.push_back(vector("angular_velocity", "rad/s", members, particles.angular_velocity));
         group.fields.push_back(scalar("fixed", "1", members, [&](std::size_t i) { return particles.fixed[i]; }));
     }
-    if (kind == PartKind::rigid) {
+    if (kind == PartKind::rigid || kind == PartKind::elastic) {
         group.fields.push_back(vector("wall_normal", "1", members, particles.wall_normal));
         group.fields.push_back(
             scalar("wall_distance", "m", members, [&](std::size_t i) { return particles.wall_distance[i]; }));
+    }
+    if (kind == PartKind::elastic) {
+        group.fields.push_back(
+            scalar("opposite_distance", "m", members, [&](std::size_t i) { return particles.surface(i).opposite; }));
     }
     return group;
 }

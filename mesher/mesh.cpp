@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/length_text.hpp"
+#include "mesher/body_surfaces.hpp"
 #include "mesher/bond_report.hpp"
 #include "mesher/bonded_solids.hpp"
 #include "mesher/disorder.hpp"
@@ -77,8 +78,10 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
         relax_around_bodies(builder.particles(), scene.numerics.support * scene.particles.spacing,
                             [&](std::size_t, const Vec& point) { return builder.may_stand(point); });
     monitor.lap("fit");
+    const std::vector<Sheet> sheets = builder.sheets();
     MeshResult result = builder.finish();
     measure_quality(result, scene);
+    find_body_surfaces(geometry, scene, sheets, result);
     bond_solids(result, geometry, scene);
     join_parts(result, scene);
     count_bonds(result);
@@ -88,6 +91,15 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     monitor.lap("thin places");
     result.report.cost = cost;
     return result;
+}
+
+/// Elastic parts that are curves.
+std::vector<Sheet> strips_of(const Geometry& geometry, const Scene& scene) {
+    std::vector<Sheet> strips;
+    for (const Part* part : scene.parts_of(PartKind::elastic))
+        if (geometry.region(part->name) == nullptr)
+            strips.push_back({part, strip_thickness(*part, scene), *geometry.curve_set(part->name)});
+    return strips;
 }
 
 }  // namespace
@@ -125,6 +137,7 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     if (disorder.amplitude > 0) result.report.notes.push_back(disorder.text());
     monitor.lap("moves");
     measure_quality(result, scene);
+    find_body_surfaces(geometry, scene, strips_of(geometry, scene), result);
     bond_solids(result, geometry, scene);
     join_parts(result, scene);
     count_bonds(result);

@@ -8,6 +8,7 @@
 
 #include "geometry/geometry.hpp"
 #include "geometry/nearest_triangle.hpp"
+#include "mesher/body_surfaces.hpp"
 #include "mesher/fit_particles.hpp"
 #include "mesher/mesh.hpp"
 #include "mesher/solid_cells.hpp"
@@ -47,6 +48,8 @@ class SpaceBuilder {
     [[nodiscard]] bool may_stand(const Vec& point) const;
     [[nodiscard]] ParticleSet& particles() { return result_.particles; }
     [[nodiscard]] MeshResult finish();
+    /// Elastic parts that have become shells.
+    [[nodiscard]] std::vector<Sheet> sheets() const;
     /// Lattice points in and about the box.
     [[nodiscard]] std::size_t candidates() const { return owner_.size(); }
 

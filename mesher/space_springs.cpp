@@ -205,6 +205,19 @@ void SpaceBuilder::add_elastic(const Part& part) {
     result_.report.springs.push_back(line);
 }
 
+std::vector<Sheet> SpaceBuilder::sheets() const {
+    std::vector<Sheet> sheets;
+    for (const Part* part : scene_.parts_of(PartKind::elastic)) {
+        if (std::ranges::find(spring_solids_, part, &SpringSolid::part) != spring_solids_.end()) continue;
+        const auto thin = std::ranges::find(thin_solids_, part, &ThinSolid::part);
+        if (thin != thin_solids_.end())
+            sheets.push_back({part, thin->shell.thickness, {}, thin->middle});
+        else
+            sheets.push_back({part, part->thickness, {}, geometry_.surface_set(part->name)->surface});
+    }
+    return sheets;
+}
+
 void SpaceBuilder::add_body(const SpringBody& body, int part, MeshReport::SpringLine& line) {
     ParticleSet& set = result_.particles;
     const std::size_t first = set.size();

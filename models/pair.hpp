@@ -23,14 +23,15 @@ template <class T, int D>
 struct SolidPoint {
     Vector<T, D> position, velocity;
     T volume, density, pressure;
-    Vector<T, D> normal;                               ///< rigid walls: from the surface into the fluid; otherwise 0
-    T depth;                                           ///< rigid walls: distance behind the surface; otherwise 0 [m]
+    Vector<T, D> normal;                               ///< unit vector out of the surface, or 0 (SolidSurface)
+    T depth;                                           ///< distance behind that surface [m]
     T slip = T(0.0);                                   ///< rigid walls: 1 where the fluid slips; otherwise 0
     Vector<T, D> acceleration = Vector<T, D>::zero();  ///< of moving rigid walls; otherwise 0 [m/s^2]
     Vector<T, D> motion = Vector<T, D>::zero();        ///< rigid walls: of the particle itself; otherwise 0 [m/s]
     T sliding = T(0.0);  ///< rigid walls: 1 where the surface slides or the fluid slips; otherwise 0
-    /// Rigid walls: of the surface's velocity, [a][b] = dv_a/dx_b [1/s].
+    /// Rigid walls: of the surface's velocity; elastic solids: of their own, [a][b] = dv_a/dx_b [1/s].
     Vector<Vector<T, D>, D> surface_gradient = Vector<Vector<T, D>, D>::zero();
+    T opposite = T(0.0);  ///< elastic solids: distance to the surface on the other side, against the normal [m]
 };
 
 /// Two interacting particles; a law returns its effect on i. Every pair law is proportional to `slope`. The sweeps

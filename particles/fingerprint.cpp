@@ -124,6 +124,7 @@ std::string fingerprint(const ParticleSet& set) {
     hash.add_all(set.seated);
     hash.add_all(set.wall_normal);
     hash.add_all(set.wall_distance);
+    if (!set.opposite_distance.empty()) hash.add_all(set.opposite_distance);  // others keep the fingerprint they had
     hash.add_all(set.radius);
     add_springs(hash, set);
     add_cells(hash, set);

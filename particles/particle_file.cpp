@@ -52,6 +52,8 @@ std::string problem_with_lengths(const ParticleSet& set) {
           differs("body", set.body.size()), differs("fixed", set.fixed.size()), differs("seated", set.seated.size()),
           differs("wall_normal", set.wall_normal.size()), differs("wall_distance", set.wall_distance.size())})
         if (!problem.empty()) return problem;
+    if (!set.opposite_distance.empty() && set.opposite_distance.size() != set.size())
+        return differs("opposite_distance", set.opposite_distance.size());
     if (!set.has_spheres() && set.velocity.empty() && set.angular_velocity.empty()) return "";
     for (const std::string& problem : {differs("radius", set.radius.size()), differs("velocity", set.velocity.size()),
                                        differs("angular_velocity", set.angular_velocity.size())})
@@ -99,6 +101,8 @@ std::string problem_with_particle(const ParticleSet& set, std::size_t i) {
     if (!finite(set.volume[i]) || !finite(set.mass[i])) return "its volume or mass is not finite";
     if (!set.wall_normal[i].allFinite() || !finite(set.wall_distance[i]))
         return "its wall_normal or wall_distance is not finite";
+    if (!set.opposite_distance.empty() && !finite(set.opposite_distance[i]))
+        return "its opposite_distance is not finite";
     if (set.part[i] < 0 || static_cast<std::size_t>(set.part[i]) >= set.parts.size())
         return "its part is number " + std::to_string(set.part[i]) + " of " + std::to_string(set.parts.size());
     if (set.body[i] < -1) return "its body is number " + std::to_string(set.body[i]);
@@ -210,6 +214,10 @@ void write_arrays(Hdf5Writer& to, const ParticleSet& set) {
     to.set_attribute("particles/mass", "unit", "kg");
     to.set_attribute("particles/wall_normal", "unit", "1");
     to.set_attribute("particles/wall_distance", "unit", "m");
+    if (!set.opposite_distance.empty()) {
+        to.write_array<double>("particles/opposite_distance", set.opposite_distance);
+        to.set_attribute("particles/opposite_distance", "unit", "m");
+    }
     if (!set.has_spheres()) return;
     to.write_array<double>("particles/radius", set.radius);
     to.write_array<double>("particles/velocity", flat(set.velocity));
@@ -298,6 +306,8 @@ void read_arrays(const Hdf5Reader& from, ParticleSet& set) {
     set.seated = from.array<std::uint8_t>("particles/seated");
     set.wall_normal = read_vectors(from, "particles/wall_normal");
     set.wall_distance = from.array<double>("particles/wall_distance");
+    if (from.has("particles/opposite_distance"))
+        set.opposite_distance = from.array<double>("particles/opposite_distance");
     if (!from.has("particles/radius")) return;
     set.radius = from.array<double>("particles/radius");
     set.velocity = read_vectors(from, "particles/velocity");

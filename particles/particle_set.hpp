@@ -114,6 +114,14 @@ struct ParticleSpace {
 /// The shortest periodic image of the vector between two points [m].
 Vec nearest_image(Vec apart, const ParticleSpace& space);
 
+/// The surface of an elastic solid near one of its particles, at rest. Without a normal, the particle is as good as
+/// round: its surface is `depth` away in all directions.
+struct SolidSurface {
+    Vec normal = Vec::Zero();  ///< unit vector out of the solid, or 0
+    double depth = 0;          ///< of the particle behind that surface [m]
+    double opposite = 0;       ///< distance to the surface on the other side, against the normal [m]
+};
+
 /// What the mesher hands on: particles, bonds and walls, as plain arrays. A particle's id is its index.
 struct ParticleSet : ParticleSpace {
     // one entry a particle
@@ -124,8 +132,13 @@ struct ParticleSet : ParticleSpace {
     std::vector<int> body;              ///< connected piece of elastic solids, by way of walls too; -1: none
     std::vector<std::uint8_t> fixed;    ///< 1: never moves (rigid walls, anchored ends)
     std::vector<std::uint8_t> seated;   ///< 1: drawn touching a wall, so that the wall does not push it away
-    std::vector<Vec> wall_normal;       ///< rigid: unit vector from the surface into the fluid; else 0
-    std::vector<double> wall_distance;  ///< rigid: distance to the surface, > 0 behind it [m]; else 0
+    /// Rigid and elastic: unit vector from the nearest surface outward; 0 in fluids, and in solids that are not drawn.
+    std::vector<Vec> wall_normal;
+    /// Rigid and elastic: distance to that surface, > 0 behind it [m]; in an elastic solid that is thinner than its two
+    /// rows of particles < 0; else 0.
+    std::vector<double> wall_distance;
+    /// Elastic: distance to the surface on the other side, against the normal [m]; else 0. Empty where there are none.
+    std::vector<double> opposite_distance;
 
     // one entry a particle where there are spheres, 0 for particles of other kinds; empty where there are none
     std::vector<double> radius;         ///< of a sphere [m]; its moment of inertia is 2/5 mass radius^2
@@ -142,6 +155,10 @@ struct ParticleSet : ParticleSpace {
     [[nodiscard]] PartKind kind(std::size_t i) const { return parts[static_cast<std::size_t>(part[i])].kind; }
     [[nodiscard]] std::size_t count(PartKind wanted) const;
     [[nodiscard]] bool has_spheres() const { return !radius.empty(); }
+    /// Where an elastic particle is in its solid.
+    [[nodiscard]] SolidSurface surface(std::size_t i) const {
+        return {wall_normal[i], wall_distance[i], opposite_distance.empty() ? 0 : opposite_distance[i]};
+    }
 };
 
 }  // namespace dmp::particles

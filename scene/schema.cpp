@@ -157,7 +157,9 @@ std::vector<Key<Part>> part_keys() {
          "Young's modulus E of the material. A strip 1 m deep of thickness h has EA = E h / (1 - nu^2) and EI = E "
          "h^3 / (12 (1 - nu^2)); a shell in 3-D has E h and D = E h^3 / (12 (1 - nu^2))."},
         {"thickness", springs, &Part::thickness, quantity("0.3 mm", positive), not_given,
-         "Thickness h of a strip, with youngs_modulus, or of a surface in 3-D, which becomes a shell."},
+         "Thickness h of a strip, with youngs_modulus, or of a surface in 3-D, which becomes a shell. Liquid flows past "
+         "surfaces half of it from the middle. A strip with bending_stiffness and axial_stiffness has, without it, the "
+         "thickness that its mass_per_length has at the liquid's density."},
         {"poisson_ratio", springs, &Part::poisson_ratio, number(between(0, 0.5)), not_given,
          "Poisson's ratio nu, with youngs_modulus. A strip with nu is in plane strain (its depth is held); without "
          "nu, or with 0, its depth is free to change. A solid of springs takes 0 to 0.25, and 0.25 is fastest; one of cells "

@@ -256,7 +256,7 @@ std::vector<DialRow> rows() {
                  of, PartKind::elastic,
                  {{"mass_per_length", &Part::mass_per_length, "kg/m"}, {"density", &Part::density, "kg/m^3"}});
          },
-         {{"elastic", 0.5}, {"light solids", 0.5}, {"viscosity at light solids", 1}}},
+         {{"elastic", 0.5}, {"light solids", 0.5}, {"viscosity at elastic solids", 1}}},
         {"stiffness of spheres",
          both,
          true,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "models/pair.hpp"
 
@@ -38,8 +39,15 @@ auto image_fluid_of(const S& solid, const F& fluid) {
 /// fluid particle's velocity gradient, v_i + G_i n (dx / 2 - d_i); 0 for viscous laws that do not read G. The
 /// pressure continues hydrostatically (Adami, Hu & Adams 2012, for one pair), p_j = p_i + rho_i g . (x_j - x_i).
 ///
-/// Elastic bodies are thin and have fluid on both sides: they use their own velocity, and the pressure of the fluid
-/// particle.
+/// Elastic bodies: the same extrapolation, v_j = v_b - (d_j / d_i)(v_i - v_b - L_j x_ij), with the body's velocity v_b
+/// and its gradient L_j at the particle (v_b + L_j x of it is the surface's velocity where the line between both meets
+/// it; fluid that turns with the body feels nothing). Bodies are thin and have fluid on both sides: d are the distances
+/// to the surface that the fluid particle is in front of, that with the particle's normal or the one opposite to it.
+/// Fluid that is in front of neither is beside an edge, or beside a surface that bends away; it sees a particle that is
+/// half a spacing behind the surface at most, itself half a spacing off. Particles without a normal are round. Where a
+/// body is thinner than its two rows of particles, its particles are in front of its surface: d_j < 0. The pressure
+/// continues as into walls, in full from half a spacing behind the surface on; in front of it, it is the fluid
+/// particle's. In the density rate the body's own velocity counts.
 ///
 /// `WithMotion`: walls may move, and may let the fluid slip. For a wall particle with acceleration a_j the pressure
 /// continues with rho_i (g - a_j) . (x_j - x_i) (Adami, Hu & Adams 2012). Where the fluid slips, only the normal part
@@ -97,8 +105,31 @@ struct ExtrapolatedSolid {
     }
 
     template <class F, class S, class Separation>
-    [[nodiscard]] auto springs(const F& fluid, const S& body, const Separation& /*from_body*/) const {
-        return image_fluid_of<D>(body, fluid);
+    [[nodiscard]] auto springs(const F& fluid, const S& body, const Separation& from_body) const {
+        auto liquid = image_fluid_of<D>(body, fluid);
+        using T = decltype(liquid.density);
+        const T has_normal = where_less(T(dot(body.normal, body.normal)), T(0.5), T(0.0), T(1.0));
+        const T along = dot(from_body, body.normal);
+        const T height = has_normal * along + (1.0 - has_normal) * sqrt(T(dot(from_body, from_body)));
+        const T before = height - body.depth, behind = -1.0 * height - body.opposite;
+        const auto by_side = [&](const T& in_front, const T& opposite, const T& beside) {
+            return where_less(T(0.0), before, in_front, where_less(T(0.0), behind, opposite, beside));
+        };
+        const T depth = by_side(body.depth, body.opposite, min_of(max_of(T(body.depth), T(0.0)), T(nearest)));
+        const T actual = by_side(before, behind, T(nearest));
+        const T distance = max_of(actual, T(nearest));
+        const T ratio = depth / distance;
+        // How much farther than the fluid particle `distance` is from the surface.
+        const T farther = has_normal * by_side(1.0, -1.0, 0.0) * (distance - actual);
+        for (int a = 0; a < D; ++a) {
+            liquid.velocity[a] = body.velocity[a] - ratio * (fluid.velocity[a] - body.velocity[a]);
+            liquid.velocity_by_gradient[a] = ratio * (dot(body.surface_gradient[a], from_body) -
+                                                      farther * dot(fluid.gradient[a], body.normal));
+        }
+        const T behind_surface = max_of(T(0.0), min_of(T((1 / nearest) * depth), T(1.0)));
+        liquid.pressure = liquid.pressure - behind_surface * (fluid.density * dot(acceleration, from_body) -
+                                                              dot(subtracted, from_body));
+        return liquid;
     }
 
     /// The state used in the density rate: the wall particle with its own motion v_w, also where its surface slides
@@ -126,6 +157,11 @@ struct ExtrapolatedSolid {
     static T max_of(const T& a, const T& b) {
         using std::max;
         return max(a, b);
+    }
+    template <class T>
+    static T min_of(const T& a, const T& b) {
+        using std::min;
+        return min(a, b);
     }
 };
 

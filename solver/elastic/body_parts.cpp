@@ -133,6 +133,7 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
         node.drag = source.drag_of(set.mass[id]);
         node.position = node.position_before = node.rest_position = set.position[id];
         if (!node.fixed && !node.of_wall) node.velocity = source.velocity_at(node.position, set.dimension);
+        node.surface = set.surface(static_cast<std::size_t>(id));
         parts.nodes.push_back(node);
         positions.push_back(set.position[id]);
     }
@@ -234,9 +235,16 @@ class Stream {
     std::size_t next_ = 0;
 };
 
+void archive_surface(Stream& through, SolidSurface& surface) {
+    auto& [normal, depth, opposite] = surface;  // all: one more does not compile
+    through(normal);
+    through(depth);
+    through(opposite);
+}
+
 void archive_cell(Stream& through, BodyParts::Cell& cell) {
     auto& [id, node, shift, size, centroid, moment, volume, mass, law, youngs_modulus, poisson_ratio, relaxation, drag,
-           origin] = cell;  // all: one more does not compile
+           origin, surface] = cell;  // all: one more does not compile
     through(id);
     for (int& corner : node) through(corner);
     for (Vec& of_corner : shift) through(of_corner);
@@ -247,6 +255,7 @@ void archive_cell(Stream& through, BodyParts::Cell& cell) {
     law = ElasticLaw(static_cast<std::size_t>(number));
     for (double* value : {&volume, &mass, &youngs_modulus, &poisson_ratio, &relaxation, &drag}) through(*value);
     through(origin);
+    archive_surface(through, surface);
 }
 
 /// Whether all springs and pairs are between nodes that the body has.
@@ -297,6 +306,7 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
             through(node.drag);
             for (Vec* vector : {&node.position, &node.velocity, &node.position_before, &node.rest_position})
                 through(*vector);
+            archive_surface(through, node.surface);
         });
         springs(bonds);
         springs(hinges);

@@ -25,6 +25,7 @@ struct BodyParts {
         double mass = 0;                 ///< [kg]
         double drag = 0;                 ///< lab-frame drag [kg/s]
         Vec position = Vec::Zero(), velocity = Vec::Zero(), position_before = Vec::Zero(), rest_position = Vec::Zero();
+        SolidSurface surface{};  ///< where the node is a particle
     };
     template <std::size_t K>
     static std::array<Vec, K> no_shift() {
@@ -61,6 +62,7 @@ struct BodyParts {
         double relaxation = 0;  ///< of its damping: viscous over elastic moduli [s]
         double drag = 0;        ///< lab-frame drag, of which its nodes have their shares [kg/s]
         int origin = 0;         ///< as for a node
+        SolidSurface surface{};
     };
     /// What a cell, the first, and the next one along an axis share: the solid between them has not broken.
     struct Face {

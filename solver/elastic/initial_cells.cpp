@@ -60,6 +60,7 @@ BodyParts initial_cells(const ParticleSet& set, const InitialSprings& drawn, int
                                               cell.mass / cell.volume, source);
         cell.drag = source.drag_of(cell.mass);
         cell.origin = source.origin;
+        cell.surface = set.surface(particle);
         for (int k = 0; k < corners; ++k) {
             const int number = from.node[static_cast<std::size_t>(k)];
             const auto [known, is_new] = local.try_emplace(number, static_cast<int>(parts.nodes.size()));

@@ -32,6 +32,12 @@ struct SpringImpulses {
     std::array<double, 3> of_drag{};     ///< by lab-frame drag
 };
 
+/// The surface of an elastic solid in front of one of its particles, and how the solid moves there.
+struct PresentSurface {
+    SolidSurface surface{};
+    Eigen::Matrix3d velocity_gradient = Eigen::Matrix3d::Zero();  ///< [a][b] = dv_a/dx_b [1/s]
+};
+
 /// One connected piece of an elastic solid, as an interface for the rest of the solver, in 2-D (z = 0) or in 3-D.
 class SpringBody {
   public:
@@ -106,6 +112,11 @@ class SpringBody {
 
     /// Of the particle, at present [m/s].
     [[nodiscard]] virtual Vec velocity(std::size_t node) const = 0;
+
+    /// By particle: the surface in front of it (CarriedSurface), and the gradient of the solid's mean velocity over the
+    /// last advance, of dt; 0: of the present velocity. Particles that are farther than `reach` from the surface are
+    /// left out: no fluid sees them [m].
+    [[nodiscard]] virtual std::vector<PresentSurface> surfaces(double dt, double reach) const = 0;
 
     /// Cauchy's stress at the corners of the particle's solid: xx, yy, zz, xy, yz, xz [Pa]; none where it consists of
     /// springs.

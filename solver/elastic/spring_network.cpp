@@ -68,6 +68,7 @@ SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name,
         velocity_.push_back(of_space(node.velocity));
         position_before_.push_back(of_space(node.position_before));
         position_at_rest_.push_back(of_space(node.rest_position));
+        surface_.push_back(node.surface);
     }
     force_.assign(ids_.size(), {});
     for (const auto& bond : bonds) {
@@ -94,7 +95,7 @@ BodyParts SpringNetwork<D>::parts() const {
         std::ranges::copy(on_plane_[n], on_plane.begin());
         parts.nodes.push_back({ids_[n], fixed_[n] != 0, of_wall_[n] != 0, on_plane, origin_[n], mass_[n], drag_[n],
                                in_space(position_[n]), in_space(velocity_[n]), in_space(position_before_[n]),
-                               in_space(position_at_rest_[n])});
+                               in_space(position_at_rest_[n]), surface_[n]});
     }
     for (std::size_t b = 0; b < bonds_.size(); ++b) {
         const auto& law = bonds_[b].law;

@@ -104,6 +104,7 @@ class SpringNetwork final : public SpringBody {
     [[nodiscard]] Vec rest_position(std::size_t node) const override { return in_space(position_at_rest_[node]); }
 
     [[nodiscard]] Vec velocity(std::size_t node) const override { return in_space(velocity_[node]); }
+    [[nodiscard]] std::vector<PresentSurface> surfaces(double dt, double reach) const override;
 
     [[nodiscard]] Point momentum() const;  ///< of the free nodes [kg m/s]
     [[nodiscard]] Vec total_momentum() const override { return in_space(momentum()); }
@@ -176,6 +177,7 @@ class SpringNetwork final : public SpringBody {
     Vectors position_, velocity_, force_;        ///< positions are never wrapped: bodies may cross periodic boundaries
     Vectors position_before_;                    ///< before the last advance
     Vectors position_at_rest_;                   ///< initial
+    std::vector<SolidSurface> surface_;          ///< at rest
     /// The first cell that was crushed in a trial of a step, since the last step.
     mutable std::optional<Point> crushed_at_;
     Vectors expected_;  ///< mean velocities of the next step, if known

@@ -207,7 +207,8 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
         fill(Field::mean_correction, 0, [](std::size_t, std::size_t) { return 1.0; });
         fill(Field::contact_range, 0, [&](std::size_t, std::size_t) { return range; });
         fill(Field::wall_contact_range, 0, [&](std::size_t, std::size_t id) { return set.seated[id] ? 0 : range; });
-        fill(Field::wall_distance, 0, [&](std::size_t, std::size_t id) { return set.wall_distance[id]; });
+        fill(Field::wall_distance, 0, [&](std::size_t, std::size_t id) { return set.surface(id).depth; });
+        fill(Field::opposite_distance, 0, [&](std::size_t, std::size_t id) { return set.surface(id).opposite; });
         for (int axis = 0; axis < set.dimension; ++axis) {
             for (const Field normal : {Field::wall_normal, Field::initial_normal})
                 fill(normal, axis, [&](std::size_t, std::size_t id) { return set.wall_normal[id][axis]; });
@@ -236,6 +237,8 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
                       .shifting = numerics.shifting_step_factor};
     scales.drive_time = drive_time(scene, set);
     scales.at_rest = is_at_rest(scene);
+    for (std::size_t i = 0; i < set.size(); ++i)
+        scales.elastic_solids = scales.elastic_solids || (set.kind(i) == PartKind::elastic && set.fixed[i] == 0);
     if (settings.corrected) scales.lightest_solid = lightest_solid(scene, set, settings);
     scales.implicit_viscosity = settings.viscosity.implicit;
     for (const Part* part : scene.parts_of(PartKind::fluid))

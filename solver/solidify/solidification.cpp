@@ -72,7 +72,7 @@ Solidification::Solidification(const Scene& scene, int number, const ParticleSet
 Solidification::SolidifyingParticle Solidification::turning(const ParticleStore& particles, std::size_t i,
                                                             double ahead) const {
     const ParticleGroup& fluid = particles.fluid();
-    SolidifyingParticle of{fluid.tags()[i].id, fluid.data(Field::mass)[i], {}, {}};
+    SolidifyingParticle of{fluid.tags()[i].id, fluid.data(Field::mass)[i], {}, {}, particles.space().spacing / 2};
     for (int axis = 0; axis < fluid.dimension(); ++axis) {
         of.velocity[axis] = fluid.data(Field::velocity, axis)[i];
         of.position[axis] = fluid.data(Field::position, axis)[i] + particles.quantum().round(ahead * of.velocity[axis]);
@@ -125,6 +125,7 @@ void Solidification::add_node(BodyChange& change, const SolidifyingParticle& tur
     node.mass = turned.mass;
     node.position = node.position_before = node.rest_position = vec(turned.position);
     node.velocity = vec(turned.velocity);
+    node.surface.depth = node.surface.opposite = turned.radius;
     change.nodes.push_back(node);
 }
 

@@ -33,6 +33,7 @@ class Solidification {
         std::int64_t id;
         double mass;
         std::array<double, 3> position, velocity;
+        double radius;  ///< of the solid that it becomes, half a spacing [m]
     };
 
     [[nodiscard]] SolidifyingParticle turning(const ParticleStore& particles, std::size_t i, double ahead) const;

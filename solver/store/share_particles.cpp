@@ -106,6 +106,7 @@ void share_particles(ParticleSet& particles, const Ranks& ranks) {
     ranks.broadcast(particles.fixed);
     ranks.broadcast(particles.seated);
     ranks.broadcast(particles.wall_distance);
+    ranks.broadcast(particles.opposite_distance);
     ranks.broadcast(particles.radius);
     share(particles.velocity, ranks);
     share(particles.angular_velocity, ranks);

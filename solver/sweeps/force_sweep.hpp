@@ -110,7 +110,7 @@ class ForceSweep {
     int threads_;
     FluidReader<L, D, Viscosity::needs_gradient> fluid_;
     SolidReader<L, D, Solid::needs_state, Solid::needs_surface, Solid::needs_motion> rigid_;
-    SolidReader<L, D, Solid::needs_state, false> springs_;
+    BodyReader<L, D, Solid::needs_state, Solid::needs_surface> springs_;
 };
 
 }  // namespace dmp::solver

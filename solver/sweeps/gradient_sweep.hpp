@@ -147,7 +147,8 @@ class GradientSweep {
         for (const std::int32_t index : near.of(PartKind::elastic)) {
             const auto body = elastic_(index);
             const Vec separation = i.position - body.position, past = i.velocity - body.velocity;
-            add_solid<false>(i, elastic_image(i, body), VelocityGradient::past_solid(past, turning, separation), sum);
+            add_solid<false>(i, solid_.springs(i, body, separation),
+                             VelocityGradient::past_solid(past, turning, separation), sum);
         }
         return total(sum);
     }
@@ -188,14 +189,6 @@ class GradientSweep {
         const Vec slides =
             VelocityGradient::past_sliding_wall(past, i.gradient, separation, wall.normal, wall.slip) - at_rest;
         return at_rest + wall.sliding * slides;
-    }
-
-    /// An elastic particle moves as itself; the pressure continues to it as to a wall.
-    template <class I, class Body>
-    [[nodiscard]] auto elastic_image(const I& i, const Body& body) const {
-        auto image = solid_.springs(i, body, i.position - body.position);
-        image.pressure = image.pressure - i.density * dot(solid_.acceleration, i.position - body.position);
-        return image;
     }
 
     void add_shift(const L& distance, const Vec& weighted, Vec& sum) const {
@@ -253,7 +246,7 @@ class GradientSweep {
     int threads_;
     FluidReader<L, D> fluid_;
     SolidReader<L, D, Solid::needs_state, Solid::needs_surface, Solid::needs_motion> rigid_;
-    SolidReader<L, D, Solid::needs_state, false> elastic_;
+    BodyReader<L, D, Solid::needs_state, Solid::needs_surface> elastic_;
     std::array<const double*, D> density_gradient_;
     std::array<const double*, D * D> velocity_gradient_;
     const double* fluid_number_;

@@ -80,7 +80,7 @@ class FluidReader {
     std::array<const double*, D * D> gradient_{};
 };
 
-/// Reads particles of walls and elastic bodies. `WithState`: also density and pressure (plain walls). `WithSurface`:
+/// Reads particles of walls and elastic bodies (see BodyReader for where their surfaces count). `WithState`: also density and pressure (plain walls). `WithSurface`:
 /// also the wall's normal and depth (rigid particles of extrapolated walls). `WithMotion`: also the wall's slip,
 /// acceleration, motion, sliding and gradient of the surface's velocity, if the scene has them.
 template <class L, int D, bool WithState, bool WithSurface, bool WithMotion = false>
@@ -147,6 +147,33 @@ class SolidReader {
     std::array<const double*, D> acceleration_, motion_;
     std::array<const double*, D * D> surface_gradient_{};
     bool slips_, accelerates_, moves_, slides_;
+};
+
+/// Reads particles of elastic bodies. `WithSurface`: with their surface's normal, their depths behind it and the
+/// gradient of the body's velocity.
+template <class L, int D, bool WithState, bool WithSurface>
+class BodyReader {
+  public:
+    explicit BodyReader(const ParticleGroup& bodies)
+        : read_(bodies),
+          opposite_(WithSurface ? bodies.data(Field::opposite_distance) : nullptr),
+          gradient_(WithSurface ? axes_of<D * D>(bodies, Field::surface_gradient)
+                                : std::array<const double*, D * D>{}) {}
+
+    template <class Index>
+    [[nodiscard]] auto operator()(const Index& at) const {
+        auto point = read_(at);
+        if constexpr (WithSurface) {
+            point.opposite = load<L>(opposite_, at);
+            for (int k = 0; k < D * D; ++k) point.surface_gradient[k / D][k % D] = load<L>(gradient_[k], at);
+        }
+        return point;
+    }
+
+  private:
+    SolidReader<L, D, WithState, WithSurface> read_;
+    const double* opposite_;
+    std::array<const double*, D * D> gradient_;
 };
 
 }  // namespace dmp::solver

@@ -182,7 +182,7 @@ class ViscousSweep {
     int threads_;
     FluidReader<L, D, Viscosity::needs_gradient> fluid_;
     SolidReader<L, D, Solid::needs_state, Solid::needs_surface, Solid::needs_motion> rigid_;
-    SolidReader<L, D, Solid::needs_state, false> springs_;
+    BodyReader<L, D, Solid::needs_state, Solid::needs_surface> springs_;
     std::array<const double*, D> fluid_velocity_, elastic_velocity_;
 };
 

@@ -306,6 +306,7 @@ void FluidStep::change_bodies(const BodyChange& change) {
     reference_.count(particles_, ranks_);
     neighbours_.forget();
     refresh_neighbours();
+    springs_.show_surfaces(particles_, 0);
 }
 
 void FluidStep::kick(double t, double dt) {

@@ -43,17 +43,18 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
     limits.push_back(sound_step_limit(scales, largest_speed));
     if (scales.kinematic_viscosity > 0 && !scales.implicit_viscosity) limits.push_back(viscous_step_limit(scales));
     if (scales.diffusivity > 0 && !scales.implicit_species) limits.push_back(species_step_limit(scales));
-    if (scales.lightest_solid < 1 - 1e-9) {  // not by rounding
+    if (scales.elastic_solids && scales.kinematic_viscosity > 0 && !scales.implicit_viscosity)
+        // Measured: friction at elastic solids, which move with it, is stable at 0.9 of the viscous limit's default and
+        // unstable at all of it.
+        limits.push_back({"viscosity at elastic solids", 0.7 * scales.lightest_solid * viscous_step_limit(scales).dt,
+                          "0.7 of the viscous limit, times m / m_liquid of the lightest elastic node"});
+    if (scales.lightest_solid < 1 - 1e-9)  // not by rounding
         // Measured: light nodes coupled to the fluid's pressure are stable at 0.6 sqrt(m / m_liquid) and unstable at
         // 0.7, from 0.012 to 0.25 of the liquid's mass.
         limits.push_back({"light solids",
                           scales.factors.light_solid * std::sqrt(scales.lightest_solid) * scales.support /
                               (scales.sound_speed + largest_speed),
                           "light_solid_step_factor sqrt(m / m_liquid) R / (c0 + U) of the lightest elastic node"});
-        if (scales.kinematic_viscosity > 0 && !scales.implicit_viscosity)
-            limits.push_back({"viscosity at light solids", scales.lightest_solid * viscous_step_limit(scales).dt,
-                              "the viscous limit times m / m_liquid of the lightest elastic node"});
-    }
     if (acceleration > 0)
         limits.push_back({"body force", 0.25 * std::sqrt(0.5 * scales.support / acceleration), "0.25 sqrt(R / 2g)"});
     if (scales.shifting > 0 && largest_speed > 0)

@@ -100,7 +100,7 @@ TEST(CorrectedScheme, has_the_same_bits_on_threads_and_vector_units) {
 TEST(CorrectedScheme, is_stable_with_solids_far_lighter_than_the_fluid) {
     // A disc in shear flow that fills its volume, and a node of which has a twentieth of the liquid's mass.
     for (const auto& [speed, limit] :
-         {std::pair{"20 m/s", "light solids"}, std::pair{"1 m/s", "viscosity at light solids"}}) {
+         {std::pair{"20 m/s", "light solids"}, std::pair{"1 m/s", "viscosity at elastic solids"}}) {
         const auto made = case_of("verification/body_in_shear",
                                   corrected({"part.body.density=50 kg/m^3", "part.liquid.viscosity=10 mPa*s",
                                              std::string("numerics.sound_speed=") + speed}));

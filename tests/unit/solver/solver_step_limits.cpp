@@ -56,6 +56,7 @@ TEST(StepLimits, are_parts_of_what_is_stable) {
     s.diffusivity = 1e-7;
     s.diffusion_limit = 0.08;
     s.lightest_solid = 0.25;
+    s.elastic_solids = true;
     s.density_diffusion = 1;
     const auto usual = fluid_step_limits(s, 0.5, 0);
     s.factors = {
@@ -63,7 +64,7 @@ TEST(StepLimits, are_parts_of_what_is_stable) {
     const auto changed = fluid_step_limits(s, 0.5, 0);
     const auto ratio = [&](const std::string& model) { return limit_of(model, changed) / limit_of(model, usual); };
     EXPECT_NEAR(ratio("viscosity"), 2, 1e-12);
-    EXPECT_NEAR(ratio("viscosity at light solids"), 2, 1e-12);
+    EXPECT_NEAR(ratio("viscosity at elastic solids"), 2, 1e-12);
     EXPECT_NEAR(ratio("species"), 0.5, 1e-12);
     EXPECT_NEAR(ratio("contact"), 1.5, 1e-12);
     EXPECT_NEAR(ratio("light solids"), 1.5, 1e-12);

@@ -1,0 +1,264 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesher/body_surfaces.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+
+#include "base/length_text.hpp"
+#include "geometry/inside_test.hpp"
+#include "geometry/nearest_curve.hpp"
+#include "geometry/nearest_triangle.hpp"
+
+namespace dmp::mesher {
+
+namespace {
+
+/// Fluid sees particles up to a kernel's support behind the surface; surfaces farther away need not be found
+/// [spacings].
+constexpr double reach = 5;
+/// A particle so near to the surface is on it [spacings].
+constexpr double on_surface = 1e-6;
+
+/// Where a point is from a surface.
+struct Nearest {
+    Vec outward = Vec::Zero();  ///< unit vector
+    double depth = reach;       ///< behind it [spacings]
+};
+using FindNearest = std::function<std::optional<Nearest>(const Vec&)>;
+
+/// Whether all points lie on one side of the box beyond which the solid goes on.
+template <class Points>
+bool on_open_side(const Points& points, const ParticleSpace& space) {
+    for (int axis = 0; axis < space.dimension; ++axis)
+        for (const std::size_t side : {0U, 1U}) {
+            if (!space.periodic.at(static_cast<std::size_t>(axis)) &&
+                !space.mirrored.at(static_cast<std::size_t>(axis)).at(side))
+                continue;
+            const double at = (side == 0 ? space.box.low : space.box.high)[axis];
+            if (std::ranges::all_of(points, [&](const Vec& p) { return std::abs(p[axis] - at) < 1e-6 * space.spacing; }))
+                return true;
+        }
+    return false;
+}
+
+/// The point and its images across periodic sides and planes of symmetry: where a surface near a side is met from.
+std::vector<Vec> images_of(const Vec& point, const ParticleSpace& space) {
+    std::vector<Vec> images{point};
+    for (int axis = 0; axis < space.dimension; ++axis) {
+        const auto at = static_cast<std::size_t>(axis);
+        const double period = space.box.extent()[axis];
+        for (std::size_t k = 0, count = images.size(); k < count && space.periodic[at]; ++k)
+            for (const double shift : {-period, period}) {
+                images.push_back(images[k]);
+                images.back()[axis] += shift;
+            }
+    }
+    return images;
+}
+
+/// An area's outline.
+class AreaSurface {
+  public:
+    AreaSurface(const Region& region, const ParticleSpace& space)
+        : space_(space), inside_(region), curve_(drawn(region, space), reach * space.spacing) {}
+
+    [[nodiscard]] std::optional<Nearest> operator()(const Vec& point) const {
+        std::optional<Projection> best;
+        for (const Vec& image : images_of(point, space_))
+            if (const auto found = curve_.nearest(image); found && (!best || found->distance < best->distance))
+                best = Projection{point + (found->point - image), found->distance};
+        if (!best) return std::nullopt;
+        const double depth = best->distance / space_.spacing;
+        if (depth < on_surface) return Nearest{outward_at(point), 0};
+        const Vec to_surface = (best->point - point) / best->distance;
+        const bool is_outside = inside_.side_of(point) == Side::outside;
+        return is_outside ? Nearest{-to_surface, -depth} : Nearest{to_surface, depth};
+    }
+
+  private:
+    static CurveSet drawn(const Region& region, const ParticleSpace& space) {
+        CurveSet curves;
+        for (const Polyline& loop : region.loops)
+            for (std::size_t k = 0; k < loop.points.size(); ++k) {
+                const std::vector<Vec> ends{loop.points[k], loop.points[(k + 1) % loop.points.size()]};
+                if (!on_open_side(ends, space)) curves.pieces.push_back({ends, false});
+            }
+        return curves;
+    }
+    /// From a point on the surface: the mean direction in which the area does not lie.
+    [[nodiscard]] Vec outward_at(const Vec& point) const {
+        constexpr int directions = 64;
+        Vec sum = Vec::Zero();
+        for (int k = 0; k < directions; ++k) {
+            const double angle = 2 * std::numbers::pi * (k + 0.5) / directions;
+            const Vec direction(std::cos(angle), std::sin(angle), 0);
+            if (inside_.side_of(point + 0.1 * space_.spacing * direction) == Side::outside) sum += direction;
+        }
+        return sum.norm() > 0 ? Vec(sum.normalized()) : Vec(Vec::Zero());
+    }
+
+    const ParticleSpace& space_;
+    InsideTest inside_;
+    NearestCurve curve_;
+};
+
+/// A volume's surface.
+class VolumeSurface {
+  public:
+    VolumeSurface(const TriangleSurface& surface, const ParticleSpace& space)
+        : space_(space), surface_(drawn(surface, space)), nearest_(surface_, reach * space.spacing) {}
+
+    [[nodiscard]] std::optional<Nearest> operator()(const Vec& point) const {
+        std::optional<SurfacePoint> best;
+        Vec from_image = Vec::Zero();
+        for (const Vec& image : images_of(point, space_))
+            if (const auto found = nearest_.nearest(image); found && (!best || found->distance < best->distance)) {
+                best = found;
+                from_image = found->point - image;
+            }
+        if (!best) return std::nullopt;
+        const auto& corners = surface_.triangles[static_cast<std::size_t>(best->triangle)];
+        const auto corner = [&](std::size_t k) -> const Vec& {
+            return surface_.corners[static_cast<std::size_t>(corners.at(k))];
+        };
+        const Vec facing = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+        const double depth = best->distance / space_.spacing;
+        if (depth < on_surface) return Nearest{facing, 0};
+        const Vec to_surface = from_image / best->distance;
+        return to_surface.dot(facing) < 0 ? Nearest{-to_surface, -depth} : Nearest{to_surface, depth};
+    }
+
+  private:
+    static TriangleSurface drawn(const TriangleSurface& whole, const ParticleSpace& space) {
+        TriangleSurface surface = whole;
+        std::erase_if(surface.triangles, [&](const auto& triangle) {
+            std::vector<Vec> corners;
+            for (const int corner : triangle) corners.push_back(whole.corners[static_cast<std::size_t>(corner)]);
+            return on_open_side(corners, space);
+        });
+        return surface;
+    }
+
+    const ParticleSpace& space_;
+    TriangleSurface surface_;
+    NearestTriangle nearest_;
+};
+
+/// How far the other side is, against the normal: by steps to the nearest surface, which never pass one [spacings].
+double opposite_of(const Nearest& here, const Vec& point, double spacing, const FindNearest& nearest) {
+    constexpr double there = 0.01, least_step = 0.02;
+    double way = std::max(here.depth, least_step);
+    // The particle's own surface stays the nearest one until half-way through.
+    while (way < reach) {
+        const auto found = nearest(point - way * spacing * here.outward);
+        if (!found) return reach;
+        if (found->depth < there && found->outward.dot(here.outward) < 0.5) return way + found->depth;
+        way += std::max(found->depth, least_step);
+    }
+    return reach;
+}
+
+void set_surface(ParticleSet& set, std::size_t i, const SolidSurface& surface) {
+    set.wall_normal[i] = surface.normal;
+    set.wall_distance[i] = surface.depth;
+    set.opposite_distance[i] = surface.opposite;
+}
+
+void find_surface_of_solid(ParticleSet& set, int part, const FindNearest& nearest) {
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.part[i] != part) continue;
+        const auto here = nearest(set.position[i]);
+        const double far = reach * set.spacing;
+        if (!here) {
+            set_surface(set, i, {Vec::Zero(), far, far});
+        } else {
+            const double opposite = opposite_of(*here, set.position[i], set.spacing, nearest);
+            set_surface(set, i, {here->outward, here->depth * set.spacing, opposite * set.spacing});
+        }
+    }
+}
+
+void find_surface_of_sheet(ParticleSet& set, int part, double thickness,
+                           const std::function<std::optional<Vec>(const Vec&)>& nearest_of_middle) {
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.part[i] != part) continue;
+        const auto middle = nearest_of_middle(set.position[i]);
+        if (!middle) continue;
+        const Vec off = nearest_image(set.position[i] - *middle, set);
+        const double height = off.norm();
+        if (height < on_surface * set.spacing) continue;
+        set_surface(set, i, {off / height, thickness / 2 - height, thickness / 2 + height});
+    }
+}
+
+void find_surface_of_sheet(ParticleSet& set, int part, double thickness, const Sheet& sheet) {
+    const double near = reach * set.spacing;
+    if (set.dimension == 2) {
+        const NearestCurve middle(sheet.curves, near);
+        find_surface_of_sheet(set, part, thickness, [&](const Vec& point) -> std::optional<Vec> {
+            const auto found = middle.nearest(point);
+            return found ? std::optional(found->point) : std::nullopt;
+        });
+    } else {
+        const NearestTriangle middle(sheet.surface, near);
+        find_surface_of_sheet(set, part, thickness, [&](const Vec& point) -> std::optional<Vec> {
+            const auto found = middle.nearest(point);
+            return found ? std::optional(found->point) : std::nullopt;
+        });
+    }
+}
+
+/// As thick as its two rows of particles at most; says so where that is not the material's thickness.
+double thickness_of_rows(const Sheet& sheet, double spacing, MeshReport& report) {
+    const double rows = 2 * spacing;
+    const std::string name = *sheet.part->name;
+    if (sheet.thickness <= (1 + 1e-9) * rows) {
+        report.notes.push_back(name + ": its surfaces are " + length_text(sheet.thickness) + " apart" +
+                               (sheet.part->thickness.given() || report.dimension == 3
+                                    ? ""
+                                    : ", by its mass_per_length and the liquid's density; `thickness` sets it"));
+        return sheet.thickness;
+    }
+    report.warnings.push_back(name + ": is " + length_text(sheet.thickness) + " thick" +
+                              (sheet.part->thickness.given() || report.dimension == 3
+                                   ? ""
+                                   : " by its mass_per_length and the liquid's density") +
+                              ", and liquid flows past its two rows of particles as if it were " + length_text(rows) +
+                              "; draw it as " + (report.dimension == 3 ? "a volume" : "an area") +
+                              ", or take a larger particles.spacing" +
+                              (report.dimension == 3 ? "" : ", or give its `thickness`"));
+    return rows;
+}
+
+}  // namespace
+
+double strip_thickness(const Part& strip, const Scene& scene) {
+    if (strip.thickness.given()) return strip.thickness;
+    double density = 0;
+    for (const Part* fluid : scene.parts_of(PartKind::fluid)) density = std::max(density, fluid->density.value);
+    return density > 0 ? strip.mass_per_length / density : 0;
+}
+
+void find_body_surfaces(const Geometry& geometry, const Scene& scene, const std::vector<Sheet>& sheets,
+                        MeshResult& result) {
+    ParticleSet& set = result.particles;
+    if (scene.parts_of(PartKind::fluid).empty() || set.count(PartKind::elastic) == 0) return;
+    set.opposite_distance.assign(set.size(), 0);
+    for (const Part* part : scene.parts_of(PartKind::elastic)) {
+        const int number = set.part_named(part->name);
+        const auto sheet = std::ranges::find(sheets, part, &Sheet::part);
+        if (sheet != sheets.end()) {
+            find_surface_of_sheet(set, number, thickness_of_rows(*sheet, set.spacing, result.report), *sheet);
+        } else if (const Region* region = geometry.region(part->name)) {
+            find_surface_of_solid(set, number, AreaSurface(*region, set));
+        } else if (const Solid* solid = geometry.solid(part->name)) {
+            find_surface_of_solid(set, number, VolumeSurface(solid->surface, set));
+        }
+    }
+}
+
+}  // namespace dmp::mesher
