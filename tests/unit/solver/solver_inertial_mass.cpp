@@ -139,6 +139,20 @@ TEST(InertialMass, of_a_strips_node_is_at_least_that_of_the_liquid_it_displaces)
     EXPECT_EQ(mass(2e-3), 2e-3);
 }
 
+TEST(InertialMass, of_a_strips_end_has_half_a_column_of_liquid) {
+    // In rows 1 cm apart a strip of 60 kg/m has 3000 kg/m^3.
+    const auto mass = [](double of_length, double of_material) {
+        Part strip = leaflet_of(0);
+        strip.mass_per_length = of_length;
+        SceneAndParticles made = one_node_of(strip, of_material);
+        made.particles.spacing = 0.01;
+        return node_masses(made.scene, made.particles, 1000)[1];
+    };
+    EXPECT_NEAR(mass(60, 3e-3), 3e-3, 1e-15) << "of three times the liquid's density";
+    EXPECT_NEAR(mass(60, 1.5e-3), 2e-3, 1e-15) << "its end: half of it, half of the liquid";
+    EXPECT_NEAR(mass(2, 5e-5), 1e-3, 1e-15) << "a light one is as heavy as the liquid";
+}
+
 TEST(InertialMass, stays_as_given_where_no_liquid_is_all_around) {
     PairSettings settings;
     settings.density.largest = 1000;
