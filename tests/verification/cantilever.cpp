@@ -75,8 +75,8 @@ struct Lattice {
     /// that stand at points, with the shape's INT w'^2 L^2 = 4.648 INT w^2 and 2 w w' L / 12 = 0.918 INT w^2 / L at its
     /// end.
     [[nodiscard]] double frequency() const {
-        const double slope = 4.648 * square(cell() / 2 / length), points = 0.918 / square(cells);
-        const double slower = std::pow(clamped_free, 4) * bending() / (shear() * square(length)) / square(pi / 2);
+        const double slope = 4.648 * std::pow(cell() / 2 / length, 2), points = 0.918 / std::pow(cells, 2);
+        const double slower = std::pow(clamped_free, 4) * bending() / shear() / std::pow(length * pi / 2, 2);
         return clamped_free * clamped_free / (length * length) *
                std::sqrt(bending() / mass_per_length / (1 + slope + points + slower));
     }

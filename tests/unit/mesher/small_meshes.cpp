@@ -133,9 +133,10 @@ TEST(FlapMesh, HasTheMassOfItsLength) {
 
 TEST(FlapMesh, OfFewCellsSwingsTooSlowly) {
     const auto warnings = [](const Texts& texts) { return mesh_texts(texts).report.warnings; };
-    EXPECT_THAT(warnings(flap_channel.with("{2, 1, 0}", "{2, 0.5, 0}")),
-                testing::Contains(testing::AllOf(testing::HasSubstr("a curve of 'flap' is 4 cells long"),
-                                                 testing::HasSubstr("clamped at one end it swings about 11 % too slowly"))));
+    EXPECT_THAT(
+        warnings(flap_channel.with("{2, 1, 0}", "{2, 0.5, 0}")),
+        testing::Contains(testing::AllOf(testing::HasSubstr("a curve of 'flap' is 4 cells long"),
+                                         testing::HasSubstr("clamped at one end it swings about 11 % too slowly"))));
     EXPECT_THAT(warnings(flap_channel), testing::Not(testing::Contains(testing::HasSubstr("cells long"))));
 }
 
