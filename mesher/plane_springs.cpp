@@ -137,6 +137,13 @@ void ParticleBuilder::add_elastic(const Part& part) {
     const std::size_t first = result_.particles.size();
     if (solid != solids_.end()) {
         add_solid(*solid, number, line);
+        if (!solid->cells) {
+            std::vector<Vec> corners;
+            for (const Polyline& loop : geometry_.region(part.name)->loops)
+                corners.insert(corners.end(), loop.points.begin(), loop.points.end());
+            share_drawn_mass(part, geometry_.region(part.name)->area(), corners, first, result_.particles, line,
+                             result_.report);
+        }
         if (solid->cells) line.bar = bar_of(part, *geometry_.region(part.name), *solid->cells);
         if (!solid->cells) note_open_ends(result_.particles, first, part.name, true, result_.report);
         result_.report.springs.push_back(line);

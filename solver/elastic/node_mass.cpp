@@ -20,9 +20,15 @@ std::vector<double> node_masses(const Scene& scene, const ParticleSet& set, doub
     }
     std::vector<double> mass = set.mass;
     if (liquid_density == 0) return mass;
-    for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) == PartKind::elastic)
-            mass[i] += liquid_density * std::max(0.0, set.volume[i] - set.mass[i] / density[set.part[i]]);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.kind(i) != PartKind::elastic) continue;
+        const double beside = set.volume[i] - set.mass[i] / density[set.part[i]];
+        const Part& part = scene.part_of_particles(set.parts[set.part[i]].name);
+        if (beside >= 0)
+            mass[i] += liquid_density * beside;
+        else if (part.density.given() && !part.thickness.given())  // a solid
+            mass[i] += std::min(liquid_density, density[set.part[i]]) * beside;
+    }
     return mass;
 }
 
