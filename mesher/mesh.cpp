@@ -15,8 +15,10 @@
 #include "mesher/particle_builder.hpp"
 #include "mesher/quality.hpp"
 #include "mesher/relax.hpp"
+#include "mesher/single_rows.hpp"
 #include "mesher/space_builder.hpp"
 #include "mesher/stopwatch.hpp"
+#include "mesher/thick_sheets.hpp"
 #include "mesher/thin_places.hpp"
 #include "mesher/through_walls.hpp"
 
@@ -78,6 +80,7 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
                             [&](std::size_t, const Vec& point) { return builder.may_stand(point); });
     monitor.lap("fit");
     MeshResult result = builder.finish();
+    refuse_single_rows(result.particles, scene);
     measure_quality(result, scene);
     bond_solids(result, geometry, scene);
     join_parts(result, scene);
@@ -85,6 +88,7 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     monitor.lap("quality");
     std::ranges::move(bodies_through_walls(geometry, scene), std::back_inserter(result.report.warnings));
     std::ranges::move(thin_regions(geometry, scene), std::back_inserter(result.report.warnings));
+    std::ranges::move(thick_sheets(geometry, scene), std::back_inserter(result.report.warnings));
     monitor.lap("thin places");
     result.report.cost = cost;
     return result;
@@ -122,6 +126,7 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
                             [&](std::size_t i, const Vec& point) { return builder.holds(i, point); });
     cost.candidates = builder.candidates();
     MeshResult result = builder.finish();
+    refuse_single_rows(result.particles, scene);
     if (disorder.amplitude > 0) result.report.notes.push_back(disorder.text());
     monitor.lap("moves");
     measure_quality(result, scene);
@@ -131,6 +136,7 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     monitor.lap("quality");
     std::ranges::move(bodies_through_walls(geometry, scene), std::back_inserter(result.report.warnings));
     std::ranges::move(thin_regions(geometry, scene), std::back_inserter(result.report.warnings));
+    std::ranges::move(thick_sheets(geometry, scene), std::back_inserter(result.report.warnings));
     monitor.lap("thin places");
     result.report.cost = cost;
     return result;
