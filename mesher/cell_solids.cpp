@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
 #include <sstream>
 
 #include "base/errors.hpp"
+#include "base/number_text.hpp"
+#include "models/elastic/corner_masses.hpp"
 
 namespace dmp::mesher {
 
@@ -17,6 +20,32 @@ constexpr double most_lost = 0.1;
 
 std::span<const int> corners(const SolidCells& cells, std::size_t cell, int dimension) {
     return std::span(cells.cells[cell].node).first(std::size_t{1} << dimension);
+}
+
+/// The largest moment of inertia of a free piece over that of what it has of the solid (corner_masses).
+double largest_inertia(const SolidCells& cells, int dimension) {
+    double largest = 1;
+    for (int piece = 0; piece < cells.pieces; ++piece) {
+        std::vector<CellMass> masses;
+        std::vector<Vec> places;
+        std::map<int, int> number;
+        bool held = false;
+        for (std::size_t n = 0; n < cells.cells.size(); ++n) {
+            if (cells.piece[n] != piece) continue;
+            const SolidCell& cell = cells.cells[n];
+            CellMass& mass = masses.emplace_back();
+            mass = {cell.node, cell.size, cell.centroid, cell.moment, cells.fillings[n].volume};
+            for (int k = 0; k < 1 << dimension; ++k) {
+                const CellNode& node = cells.nodes[cell.node[k]];
+                const auto [known, is_new] = number.try_emplace(cell.node[k], static_cast<int>(places.size()));
+                if (is_new) places.push_back(node.position);
+                mass.node[k] = known->second;
+                held = held || node.fixed;
+            }
+        }
+        if (!held) largest = std::max(largest, corner_masses(dimension, masses, places).inertia);
+    }
+    return largest;
 }
 
 }  // namespace
@@ -128,6 +157,11 @@ void report_cells(const Part& part, const SolidCells& cells, double drawn, MeshR
                 << "; a finer particles.spacing is nearer";
         report.warnings.push_back(warning.str());
     }
+    if (const double inertia = largest_inertia(cells, size[2] > 0 ? 3 : 2); inertia > 1.01)
+        report.warnings.push_back(part.name.value + ": as its mass is at the corners of its cells, it turns with " +
+                                  number_text(inertia, 3) +
+                                  " of its moment of inertia, for want of nodes inside it; take a smaller "
+                                  "particles.spacing, so that it is two cells thick");
     if (cells.lost == 0) return;
     std::ostringstream note;
     note << part.name.value << ": " << cells.lost << " boxes of the lattice with little of it, in all "

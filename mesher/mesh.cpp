@@ -16,8 +16,10 @@
 #include "mesher/particle_builder.hpp"
 #include "mesher/quality.hpp"
 #include "mesher/relax.hpp"
+#include "mesher/single_rows.hpp"
 #include "mesher/space_builder.hpp"
 #include "mesher/stopwatch.hpp"
+#include "mesher/thick_sheets.hpp"
 #include "mesher/thin_places.hpp"
 #include "mesher/through_walls.hpp"
 
@@ -80,6 +82,7 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     monitor.lap("fit");
     const std::vector<Sheet> sheets = builder.sheets();
     MeshResult result = builder.finish();
+    refuse_single_rows(result.particles, scene);
     measure_quality(result, scene);
     find_body_surfaces(geometry, scene, sheets, result);
     bond_solids(result, geometry, scene);
@@ -88,6 +91,7 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     monitor.lap("quality");
     std::ranges::move(bodies_through_walls(geometry, scene), std::back_inserter(result.report.warnings));
     std::ranges::move(thin_regions(geometry, scene), std::back_inserter(result.report.warnings));
+    std::ranges::move(thick_sheets(geometry, scene), std::back_inserter(result.report.warnings));
     monitor.lap("thin places");
     result.report.cost = cost;
     return result;
@@ -134,6 +138,7 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
                             [&](std::size_t i, const Vec& point) { return builder.holds(i, point); });
     cost.candidates = builder.candidates();
     MeshResult result = builder.finish();
+    refuse_single_rows(result.particles, scene);
     if (disorder.amplitude > 0) result.report.notes.push_back(disorder.text());
     monitor.lap("moves");
     measure_quality(result, scene);
@@ -144,6 +149,7 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     monitor.lap("quality");
     std::ranges::move(bodies_through_walls(geometry, scene), std::back_inserter(result.report.warnings));
     std::ranges::move(thin_regions(geometry, scene), std::back_inserter(result.report.warnings));
+    std::ranges::move(thick_sheets(geometry, scene), std::back_inserter(result.report.warnings));
     monitor.lap("thin places");
     result.report.cost = cost;
     return result;

@@ -88,6 +88,7 @@ struct MeshReport {
         double shear_stiffness = 0;        ///< GA_s the lattice gives [N]
 
         double particle_mass = 0;          ///< [kg]
+        double counted = 0;                ///< of a solid of springs: what its nodes stand for over what is drawn [-]
         std::vector<std::size_t> valence;  ///< nodes by their number of bonds
         int pieces = 0;                    ///< of nodes that bonds join
     };

@@ -154,6 +154,18 @@ void check_names(const Geometry& geometry, const Scene& scene) {
     }
 }
 
+InputError sheet_as_border(const Part& fluid, const Part& sheet, const Vec& where, int dimension) {
+    const bool in_space = dimension == 3;
+    return {sheet.name.location,
+            "'" + sheet.name.value + "' is the border of '" + fluid.name.value + "' near " +
+                position_text(where, dimension) + ", with nothing behind it: the two layers of nodes of a " +
+                (in_space ? "shell" : "strip") + " move in liquid, and close none in",
+            in_space ? "draw it as a volume of two spacings or more, with density and without thickness, or draw the "
+                       "liquid on both sides of it, as far as a wall"
+                     : "draw it as an area of two spacings or more, with density in place of mass_per_length and "
+                       "thickness, or draw the liquid on both sides of it, as far as a wall"};
+}
+
 void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box) {
     const double spacing = scene.particles.spacing;
     const double tolerance = 1e-3 * spacing;
@@ -193,6 +205,10 @@ void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box
                     closed = n + 1 == positions;
                 }
                 if (closed) continue;
+                for (const Part* sheet : scene.parts_of(PartKind::elastic))
+                    if (const CurveSet* curve = geometry.curve_set(sheet->name))
+                        if (curve->nearest(0.5 * (a + b)).distance < 2 * tolerance)
+                            throw sheet_as_border(*part, *sheet, 0.5 * (a + b), 2);
                 throw InputError(part->name.location,
                                  "the boundary of '" + part->name.value + "' is open between " + position_text(a, 2) +
                                      " and " + position_text(b, 2) + ": no rigid part and no periodic side closes it",

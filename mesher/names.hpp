@@ -15,4 +15,7 @@ void check_names(const Geometry& geometry, const Scene& scene);
 /// match each other. `box` is the fluid's. Throws InputError with the place of the opening.
 void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box);
 
+/// The error of a fluid whose border, there, is a strip or a shell with nothing behind it.
+InputError sheet_as_border(const Part& fluid, const Part& sheet, const Vec& where, int dimension);
+
 }  // namespace dmp::mesher

@@ -137,6 +137,13 @@ void ParticleBuilder::add_elastic(const Part& part) {
     const std::size_t first = result_.particles.size();
     if (solid != solids_.end()) {
         add_solid(*solid, number, line);
+        if (!solid->cells) {
+            std::vector<Vec> corners;
+            for (const Polyline& loop : geometry_.region(part.name)->loops)
+                corners.insert(corners.end(), loop.points.begin(), loop.points.end());
+            share_drawn_mass(part, geometry_.region(part.name)->area(), corners, first, result_.particles, line,
+                             result_.report);
+        }
         if (solid->cells) line.bar = bar_of(part, *geometry_.region(part.name), *solid->cells);
         if (!solid->cells) note_open_ends(result_.particles, first, part.name, true, result_.report);
         result_.report.springs.push_back(line);
@@ -197,7 +204,9 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     if (const std::size_t cells = ladder.columns() - 1; !goes_on && cells < enough_cells) {
         std::ostringstream text;
         text << "a curve of '" << part.name.value << "' is " << cells
-             << " cells long, and a whole column of particles stands at a free end: it swings about " << 100 / cells
+             << " cells long, which bend in their middles only, in two rows a spacing apart: clamped at one end it "
+                "swings about "
+             << std::lround(180.0 / static_cast<double>(cells * cells))
              << " % too slowly; take a smaller particles.spacing";
         result_.report.warnings.push_back(text.str());
     }
@@ -215,8 +224,10 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     const int first = static_cast<int>(set.size());
     const double mass = part.mass_per_length * ladder.along / 2;
     for (std::size_t n = 0; n < ladder.nodes.size(); ++n) {
-        add_particle(part_number,
-                     {ladder.nodes[n], spacing_ * ladder.along, mass, body, anchored[n / 2], Vec::Zero(), 0});
+        // The strip ends in its last column, which has half a cell; in the liquid's sums it reaches half a spacing on.
+        const bool is_at_an_end = n < 2 || n + 2 >= ladder.nodes.size();
+        add_particle(part_number, {ladder.nodes[n], spacing_ * ladder.along, is_at_an_end && !goes_on ? mass / 2 : mass,
+                                   body, anchored[n / 2], Vec::Zero(), 0});
         nodes_.add(ladder.nodes[n], {.of_a_solid = false, .anchored = anchored[n / 2]});
     }
     nodes_.sort(spacing_);

@@ -119,11 +119,11 @@ std::string springs_text(const MeshReport::SpringLine& line) {
                fmt::format(
                    " of k_b = {:.4g} N/m along edges and {:.4g} N/m along diagonals, {} hinges of k_a = {:.4g} J{}"
                    "  give E = {:.4g} Pa, nu = {:.3g}; {:.4g} kg a node. They span 1/{:.3g} of the {}, and "
-                   "are {:.3g} times as stiff for it\n",
+                   "are {:.3g} times as stiff for it; they stand for {:.4g} of what is drawn, whose mass they have\n",
                    stiffened * constants.edge_stiffness, stiffened * constants.diagonal_stiffness, line.hinges,
                    stiffened * constants.hinge_stiffness, clamped, constants.youngs_modulus(),
                    constants.poisson_ratio(), line.particle_mass, stiffened,
-                   constants.dimension == 3 ? "volume" : "area", stiffened);
+                   constants.dimension == 3 ? "volume" : "area", stiffened, line.counted);
     }
     if (line.elements) {
         const MeshReport::SpringLine::Elements& of = *line.elements;
@@ -138,9 +138,11 @@ std::string springs_text(const MeshReport::SpringLine& line) {
         return head +
                fmt::format(
                    " of k_b = {:.4g} to {:.4g} N/m{}  give E = {:.4g} Pa, nu = {:.3g} in an even strain; {:.2g} of "
-                   "their stiffness depends on direction; {:.4g} kg a node\n",
+                   "their stiffness depends on direction; {:.4g} kg a node; they stand for {:.4g} of what is drawn, "
+                   "whose "
+                   "mass they have\n",
                    line.network->softest, line.network->stiffest, clamped, line.network->youngs_modulus,
-                   NetworkConstants::poisson_ratio, line.network->anisotropy, line.particle_mass);
+                   NetworkConstants::poisson_ratio, line.network->anisotropy, line.particle_mass, line.counted);
     if (line.shell) {
         const ShellConstants& shell = line.shell->constants;
         return head + fmt::format(

@@ -72,6 +72,7 @@ Json json_of(const MeshReport::SpringLine& line) {
               {"nodes_by_number_of_bonds", line.valence},
               {"pieces", line.pieces},
               {"particle_mass_kg", line.particle_mass}};
+    if (line.counted > 0) json["nodes_over_drawn_volume"] = line.counted;
     if (line.cells) {
         const auto& [constants, stiffened] = *line.cells;
         json.update({{"form", "solid"},

@@ -11,6 +11,7 @@
 #include "base/length_text.hpp"
 #include "geometry/surface_crossings.hpp"
 #include "geometry/winding_number.hpp"
+#include "mesher/names.hpp"
 #include "mesher/particle_builder.hpp"
 #include "mesher/uses.hpp"
 
@@ -270,6 +271,10 @@ void SpaceBuilder::check_boundary() const {
             largest = std::max(largest, area);
         }
         if (open == 0) continue;
+        for (const Part* sheet : scene_.parts_of(PartKind::elastic))
+            if (const SurfaceSet* set = geometry_.surface_set(sheet->name))
+                if (NearestTriangle(set->surface, 2e-3 * spacing_).nearest(where))
+                    throw sheet_as_border(*fluid, *sheet, where, 3);
         std::ostringstream problem;
         problem << "the boundary of '" << fluid->name.value << "' is open over " << 1e6 * open << " mm^2, near "
                 << position_text(where) << ": no rigid part and no periodic side closes it";

@@ -200,6 +200,10 @@ void SpaceBuilder::add_elastic(const Part& part) {
         if (std::string text = softness_text(part, line); !text.empty())
             result_.report.warnings.push_back(std::move(text));
     }
+    if (solid != spring_solids_.end()) {
+        const TriangleSurface& surface = geometry_.solid(part.name)->surface;
+        share_drawn_mass(part, surface.enclosed_volume(), surface.corners, first, set, line, result_.report);
+    }
     clamp(part, first, line);
     note_open_ends(set, first, part.name, solid != spring_solids_.end(), result_.report);
     result_.report.springs.push_back(line);

@@ -218,6 +218,33 @@ void add_elastic_of(const SpringLattice& lattice, std::size_t first, ParticleSet
     line.dihedrals += dihedrals.size();
 }
 
+void share_drawn_mass(const Part& part, double drawn, const std::vector<Vec>& corners, std::size_t first,
+                      ParticleSet& set, MeshReport::SpringLine& line, MeshReport& report) {
+    double counted = 0;
+    for (std::size_t i = first; i < set.size(); ++i) counted += set.volume[i];
+    line.counted = counted / drawn;
+    const auto is_beyond = [&](const Vec& corner) {
+        const double a_little = 1e-6 * set.spacing;
+        for (int axis = 0; axis < set.dimension; ++axis) {
+            const auto at = static_cast<std::size_t>(axis);
+            if ((set.periodic[at] || set.mirrored[at][0]) && corner[axis] < set.box.low[axis] - a_little) return true;
+            if ((set.periodic[at] || set.mirrored[at][1]) && corner[axis] > set.box.high[axis] + a_little) return true;
+        }
+        return false;
+    };
+    if (std::ranges::any_of(corners, is_beyond)) return;
+    for (std::size_t i = first; i < set.size(); ++i) set.mass[i] = set.volume[i] / line.counted * part.density;
+    line.particle_mass = set.mass[first];
+    if (std::abs(line.counted - 1) <= 0.1) return;
+    std::ostringstream warning;
+    warning.precision(3);
+    warning << part.name.value << ": its nodes stand for " << line.counted << " of the drawn "
+            << (set.dimension == 3 ? "volume" : "area")
+            << ", which is what they displace of a liquid; their mass is that of what is drawn; a finer "
+               "particles.spacing is nearer";
+    report.warnings.push_back(warning.str());
+}
+
 void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part, bool may_be_cells,
                     MeshReport& report) {
     std::vector<std::size_t> free;

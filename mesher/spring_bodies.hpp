@@ -51,6 +51,13 @@ std::vector<int> pieces_of(const SpringLattice& lattice, int& pieces);
 /// Adds the lattice's springs to a set whose particles from `first` on are its nodes, and counts them.
 void add_elastic_of(const SpringLattice& lattice, std::size_t first, ParticleSet& set, MeshReport::SpringLine& line);
 
+/// Gives a solid of springs the mass of what is drawn, shared alike by its nodes, the particles from `first` on; in the
+/// SPH sums they keep their volume. Not where `corners` of what is drawn are beyond a periodic side or a plane of
+/// symmetry: there nodes have the mass of what they stand for. Says how far that is from the drawn one, and warns where
+/// it is off by more than a tenth. `drawn`: its volume [m^3], in 2-D [m^2].
+void share_drawn_mass(const Part& part, double drawn, const std::vector<Vec>& corners, std::size_t first,
+                      ParticleSet& set, MeshReport::SpringLine& line, MeshReport& report);
+
 /// Says where the nodes from `first` on reach a side of the box beyond which the scene goes on, and their springs do
 /// not. A warning, with the place, where free nodes would be bonded to others across the side, or stand at a plane of
 /// symmetry. `may_be_cells`: whether it is an area or a volume.

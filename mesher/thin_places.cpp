@@ -154,13 +154,45 @@ std::string narrow_tip(const Geometry& geometry, const Scene& scene, const Part&
     return text.str();
 }
 
+/// What lies between fluids, or two borders of one: walls, one line each. `edges`: of fluids, as far as they are no
+/// open sides of the box.
+std::vector<std::string> thin_walls(const Geometry& geometry, const Scene& scene, std::vector<PlaneSegment> edges,
+                                    const std::function<bool(const Vec&)>& is_filled) {
+    const double spacing = scene.particles.spacing;
+    for (PlaneSegment& edge : edges) std::swap(edge[0], edge[1]);
+    const LocalThickness found = local_thickness(standing_strips(edges, spacing), spacing);
+    std::vector<std::string> said;
+    for (const Part* part : scene.parts_of(PartKind::rigid)) {
+        const CurveSet& curve = *geometry.curve_set(part->name);
+        const auto is_of_part = [&](const ThicknessSample& sample) {
+            Vec middle = 0.5 * (sample.position + sample.opposite), on_surface = sample.position;
+            middle.z() = on_surface.z() = 0;
+            return sample.thickness > touching * spacing && !is_filled(middle) &&
+                   curve.nearest(on_surface).distance < touching * spacing;
+        };
+        std::string line =
+            thinnest_text(found, spacing, least_thickness, part->name.value + ": a thickness", 2, is_of_part);
+        if (!line.empty())
+            line +=
+                ", with fluid on both sides, which acts on each other through it; draw it thicker or take a smaller "
+                "particles.spacing";
+        said.push_back(std::move(line));
+    }
+    return said;
+}
+
 std::vector<std::string> thin_regions_2d(const Geometry& geometry, const Scene& scene) {
     const double spacing = scene.particles.spacing;
     std::vector<std::string> said;
     std::vector<const Region*> fluids;
     for (const Part* part : scene.parts_of(PartKind::fluid)) fluids.push_back(geometry.region(part->name));
     const OpenSides open(geometry, scene);
+    const auto is_open = [&](const PlaneSegment& edge) {
+        return open.holds(0.5 * (edge[0] + edge[1])) && open.holds(edge[0]) && open.holds(edge[1]);
+    };
     std::vector<PlaneSegment> edges = edges_of_fluids(fluids, spacing);
+    std::erase_if(edges, is_open);
+    const std::vector<PlaneSegment> of_fluids = edges;
     std::vector<InsideTest> in_body;
     for (const Part* part : scene.parts_of(PartKind::elastic)) {
         const Region* body = geometry.region(part->name);
@@ -168,9 +200,7 @@ std::vector<std::string> thin_regions_2d(const Geometry& geometry, const Scene& 
         in_body.emplace_back(*body);
         for_each_segment(*body, [&](const Vec& a, const Vec& b) { edges.push_back({b, a}); });
     }
-    std::erase_if(edges, [&](const PlaneSegment& edge) {
-        return open.holds(0.5 * (edge[0] + edge[1])) && open.holds(edge[0]) && open.holds(edge[1]);
-    });
+    std::erase_if(edges, is_open);
     const LocalThickness found = local_thickness(standing_strips(edges, spacing), spacing);
     std::vector<InsideTest> in_fluids;
     in_fluids.reserve(fluids.size());
@@ -191,6 +221,11 @@ std::vector<std::string> thin_regions_2d(const Geometry& geometry, const Scene& 
     };
     for (const Part* part : scene.parts_of(PartKind::elastic))
         said.push_back(narrow_tip(geometry, scene, *part, edges, in_fluid));
+    const auto is_filled = [&](const Vec& point) {
+        const auto holds = [&](const InsideTest& area) { return area.side_of(point) == Side::inside; };
+        return std::ranges::any_of(in_fluids, holds) || std::ranges::any_of(in_body, holds);
+    };
+    std::ranges::move(thin_walls(geometry, scene, of_fluids, is_filled), std::back_inserter(said));
     return said;
 }
 

@@ -71,6 +71,8 @@ InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene, doubl
             throw InputError("the particles have an elastic solid '" + name + "' that is not in the scene",
                              "mesh the scene again");
         of_part[number] = source_of(**part, static_cast<int>(part - parts.begin()));
+        of_part[number].may_tear =
+            std::ranges::any_of(scene.breaking, [&](const auto& rule) { return *rule.part == name; });
     }
     node_mass = node_masses(scene, set, liquid_density);  // of parts that are known to be in the scene
     const auto joins = scene.joins_of_enabled();

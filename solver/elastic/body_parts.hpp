@@ -96,6 +96,7 @@ struct InitialSprings {
         double youngs_modulus = 0, poisson_ratio = 0;
         double relaxation = 0;  ///< of cells, where it is given in place of `damping` [s]
         Value<std::array<Expression, 3>> initial_velocity{};
+        bool may_tear = false;  ///< a [[break]] is about it
         /// Of a node that starts here [m/s]. Throws InputError where a formula gives no number.
         [[nodiscard]] Vec velocity_at(const Vec& position, int dimension) const;
         [[nodiscard]] double drag_of(double mass) const { return drag + mass_damping * mass; }

@@ -15,6 +15,13 @@ Vec in_space(const Vector<double, D>& point) {
     return in;
 }
 
+template <int D>
+Vector<double, D> of_space(const Vec& in) {
+    Vector<double, D> point;
+    for (int axis = 0; axis < D; ++axis) point[axis] = in[axis];
+    return point;
+}
+
 }  // namespace
 
 template <int D>
@@ -29,7 +36,55 @@ CellBody<D>::CellBody(const BodyParts& parts, const std::string& name, double sp
         fixed_.push_back(std::ranges::all_of(cell.node, [&](int node) { return parts.nodes[node].fixed; }) ? 1 : 0);
     of_wall_.assign(ids_.size(), 0);
     drag_.assign(ids_.size(), 0);  // the nodes have it
+    find_heavier_nodes();
     if (contact.on()) self_contact_ = std::make_unique<SelfContact<D>>(contact, parts.held_apart);
+}
+
+template <int D>
+void CellBody<D>::find_heavier_nodes() {
+    constexpr double rounding = 1e-9;  // of the body's mass and extent
+    for (std::size_t n = 0; n < network_.nodes(); ++n)
+        if (network_.fixed(n)) return;
+    std::vector<Vec> of_cells;
+    double total = 0;
+    for (const double mass : mass_) {
+        of_cells.emplace_back(mass, 0, 0);
+        total += mass;
+    }
+    const std::vector<Vec> by_shape = at_nodes(of_cells);
+    double sum = 0, largest = 0;
+    for (std::size_t n = 0; n < network_.nodes(); ++n) {
+        heavier_.push_back((network_.mass(n) - by_shape[n][0]) / total);
+        sum += heavier_.back();
+        largest = std::max(largest, std::abs(heavier_.back()));
+    }
+    // A piece that has torn off does not have its cells' mass to rounding.
+    if (std::abs(sum) > rounding || largest < rounding / static_cast<double>(network_.nodes())) heavier_.clear();
+    for (int axis = 0; axis < D; ++axis)
+        for (std::size_t n = 0; n < network_.nodes(); ++n)
+            is_open_[axis] = is_open_[axis] && !network_.is_held(n, axis);
+    find_offsets();
+}
+
+template <int D>
+Vec CellBody<D>::of_heavier_nodes(const Vectors& values) const {
+    Vec sum = Vec::Zero();
+    for (std::size_t n = 0; n < heavier_.size(); ++n)
+        for (int axis = 0; axis < D; ++axis)
+            if (is_open_[axis]) sum[axis] += heavier_[n] * values[n][axis];
+    return sum;
+}
+
+template <int D>
+void CellBody<D>::find_offsets() {
+    Vectors moved = network_.positions(), moved_before = network_.positions_before();
+    for (std::size_t n = 0; n < moved.size(); ++n) {
+        moved[n] -= network_.positions_at_rest()[n];
+        moved_before[n] -= network_.positions_at_rest()[n];
+    }
+    offset_ = of_heavier_nodes(moved);
+    offset_before_ = of_heavier_nodes(moved_before);
+    offset_velocity_ = of_heavier_nodes(network_.velocities());
 }
 
 template <int D>
@@ -57,7 +112,15 @@ SpringImpulses CellBody<D>::advance(std::span<const Vec> force, double dt, int s
         self_contact_->add_forces(at_centroids(network_.positions()), of_contact);
         for (std::size_t p = 0; p < cells_.size(); ++p) on_particles[p] += in_space<D>(of_contact[p]);
     }
-    return network_.advance(at_nodes(on_particles), dt, substeps);
+    const SpringImpulses impulses = network_.advance(at_nodes(on_particles), dt, substeps);
+    find_offsets();
+    return impulses;
+}
+
+template <int D>
+void CellBody<D>::archive(Archive& file, const std::string& name) {
+    network_.archive(file, name);
+    find_offsets();
 }
 
 template <int D>
@@ -66,6 +129,12 @@ std::vector<Vec> CellBody<D>::at_nodes(std::span<const Vec> of_particles) const 
     for (std::size_t p = 0; p < cells_.size(); ++p)
         for (std::size_t k = 0; k < cell(p).node.size(); ++k)
             at_nodes[cell(p).node[k]] += cell(p).element.share[static_cast<int>(k)] * of_particles[p];
+    if (heavier_.empty()) return at_nodes;
+    Vec sum = Vec::Zero();
+    for (std::size_t p = 0; p < cells_.size(); ++p) sum += of_particles[p];
+    for (int axis = 0; axis < 3; ++axis)
+        if (axis >= D || !is_open_[axis]) sum[axis] = 0;
+    for (std::size_t n = 0; n < at_nodes.size(); ++n) at_nodes[n] += heavier_[n] * sum;
     return at_nodes;
 }
 
@@ -73,8 +142,11 @@ template <int D>
 std::vector<Vec> CellBody<D>::of_particles(std::span<const Vec> of_unknowns) const {
     std::vector<Vec> of_particles;
     of_particles.reserve(cells_.size());
+    Vectors of_nodes;
+    for (const Vec& value : of_unknowns) of_nodes.push_back(of_space<D>(value));
+    const Vec offset = of_heavier_nodes(of_nodes);
     for (std::size_t p = 0; p < cells_.size(); ++p) {
-        Vec sum = Vec::Zero();
+        Vec sum = offset;
         for (std::size_t k = 0; k < cell(p).node.size(); ++k)
             sum += cell(p).element.share[static_cast<int>(k)] * of_unknowns[cell(p).node[k]];
         of_particles.push_back(sum);
@@ -101,11 +173,11 @@ std::vector<Vec> CellBody<D>::unknown_velocities(std::span<const Vec> /*of_parti
 
 template <int D>
 Vec CellBody<D>::position(std::size_t node) const {
-    return in_space<D>(cell(node).centroid(network_.positions()));
+    return in_space<D>(cell(node).centroid(network_.positions())) + offset_;
 }
 template <int D>
 Vec CellBody<D>::position_before(std::size_t node) const {
-    return in_space<D>(cell(node).centroid(network_.positions_before()));
+    return in_space<D>(cell(node).centroid(network_.positions_before())) + offset_before_;
 }
 template <int D>
 Vec CellBody<D>::rest_position(std::size_t node) const {
@@ -116,8 +188,8 @@ template <int D>
 Vec CellBody<D>::velocity(std::size_t node) const {
     const typename LocalCell<D>::Element::Point velocity =
         cell(node).of(network_.velocities()) * cell(node).element.share;
-    Vec in = Vec::Zero();
-    in.head<D>() = velocity;
+    Vec in = offset_velocity_;
+    in.head<D>() += velocity;
     return in;
 }
 

@@ -7,8 +7,11 @@ namespace dmp::solver {
 
 /// An elastic body of cells (ElasticCell). Its particles are the centroids of the cells, what moves are the nodes on
 /// their corners, with the shape functions N_k of the centroid between them:
-///   x_p = SUM N_k x_k,   v_p = SUM N_k v_k,   f_k = SUM N_k f_p,   m_k = SUM N_k m_p
-/// so that force, moment, momentum and power are the same on both sides.
+///   x_p = SUM N_k x_k + SUM d_k (x_k - X_k),   v_p = SUM N_k v_k + SUM d_k v_k,   f_k = SUM N_k f_p + d_k SUM f_p
+/// so that force, moment, momentum and power are the same on both sides. d_k M is what a node has more of the body's
+/// mass M than SUM N_k m_p, so that its moment of inertia is right (corner_masses). SUM d_k = 0 and SUM d_k X_k = 0: a
+/// body that moves as a whole has no offset, and a force that is as the mass does not strain it. d_k = 0 where nodes
+/// are clamped, and of what has torn off.
 template <int D>
 class CellBody final : public SpringBody {
   public:
@@ -55,7 +58,7 @@ class CellBody final : public SpringBody {
     [[nodiscard]] double volume_ratio(std::size_t node) const override;
     [[nodiscard]] std::optional<std::array<double, 2>> strains(std::size_t node) const override;
     [[nodiscard]] std::optional<std::array<int, 2>> overloaded_face(const SolidBreak& law, int origin) const override;
-    void archive(Archive& file, const std::string& name) override { network_.archive(file, name); }
+    void archive(Archive& file, const std::string& name) override;
 
     [[nodiscard]] const Network& network() const { return network_; }
     Network& network() { return network_; }  ///< for tests and static solutions
@@ -65,11 +68,19 @@ class CellBody final : public SpringBody {
     [[nodiscard]] std::vector<Vec> at_nodes(std::span<const Vec> of_particles) const;
     [[nodiscard]] const LocalCell<D>& cell(std::size_t particle) const { return network_.cells()[particle]; }
     [[nodiscard]] Vectors at_centroids(const Vectors& of_nodes) const;
+    void find_heavier_nodes();
+    /// SUM d_k times the values of the nodes, along axes in which none is held.
+    [[nodiscard]] Vec of_heavier_nodes(const Vectors& values) const;
+    void find_offsets();
 
     Network network_;
     std::vector<BodyParts::Cell> cells_;  ///< as they were made
     std::vector<BodyParts::Face> faces_;
     std::unique_ptr<SelfContact<D>> self_contact_;
+    std::vector<double> heavier_;                             ///< d_k by node [-]; empty: 0
+    std::array<bool, 3> is_open_{true, true, true};           ///< by axis: no node is held along it
+    Vec offset_ = Vec::Zero(), offset_before_ = Vec::Zero();  ///< of the particles, SUM d_k (x_k - X_k) [m]
+    Vec offset_velocity_ = Vec::Zero();                       ///< SUM d_k v_k [m/s]
 };
 
 extern template class CellBody<2>;

@@ -63,6 +63,12 @@ void split(BodyParts& body, int node, const std::vector<Corner>& around, int dim
     }
     std::map<std::size_t, int> node_of_group;  // the first group keeps it
     const BodyParts::Node before = body.nodes[static_cast<std::size_t>(node)];
+    double all_mass = 0, all_drag = 0;
+    for (const Corner& corner : around) {
+        const BodyParts::Cell& cell = body.cells[static_cast<std::size_t>(corner.cell)];
+        all_mass += share_of(cell, corner.corner, dimension) * cell.mass;
+        all_drag += share_of(cell, corner.corner, dimension) * cell.drag;
+    }
     for (const Corner& corner : around) {
         const std::size_t group = together.find(number.at(corner.cell));
         const auto [known, is_new] =
@@ -75,8 +81,8 @@ void split(BodyParts& body, int node, const std::vector<Corner>& around, int dim
         BodyParts::Cell& cell = body.cells[static_cast<std::size_t>(corner.cell)];
         const double share = share_of(cell, corner.corner, dimension);
         auto& own = body.nodes[static_cast<std::size_t>(known->second)];
-        own.mass += share * cell.mass;
-        own.drag += share * cell.drag;
+        own.mass += before.mass * (share * cell.mass / all_mass);
+        if (all_drag > 0) own.drag += before.drag * (share * cell.drag / all_drag);
         cell.node[corner.corner] = known->second;
     }
     if (node_of_group.size() > 1) return;

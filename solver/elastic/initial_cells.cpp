@@ -3,6 +3,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "models/elastic/corner_masses.hpp"
 #include "models/elastic/elastic_cell.hpp"
 #include "solver/elastic/body_parts.hpp"
 #include "solver/elastic/cut_cells.hpp"
@@ -12,9 +13,21 @@ namespace dmp::solver {
 
 namespace {
 
-template <int D>
-Eigen::VectorXd shares_of(const SolidCell& cell) {
-    return ElasticCell<D>(cell.size.head<D>(), cell.centroid.head<D>(), 1, cell.moment.head<D>(), 1, 0).share;
+/// Gives the nodes of one solid their masses, and as much of its cells' drag.
+void share_masses(BodyParts& parts, int dimension, bool may_tear) {
+    std::vector<CellMass> cells;
+    for (const BodyParts::Cell& cell : parts.cells)
+        cells.push_back({cell.node, cell.size, cell.centroid, cell.moment, cell.mass});
+    std::vector<Vec> places;
+    for (const BodyParts::Node& node : parts.nodes) places.push_back(node.rest_position);
+    const CornerMasses masses = corner_masses(dimension, cells, places);
+    for (std::size_t c = 0; c < cells.size(); ++c) cells[c].mass = parts.cells[c].drag;
+    const std::vector<double> drag = shares_at_corners(dimension, cells, places.size());
+    for (std::size_t n = 0; n < parts.nodes.size(); ++n) {
+        BodyParts::Node& node = parts.nodes[n];
+        node.mass = may_tear ? masses.by_shape[n] : masses.mass[n];
+        node.drag = drag[n] * node.mass / masses.by_shape[n];
+    }
 }
 
 /// Of Kelvin and Voigt's damping that is this fraction of critical at the highest frequency of the lattice, 2 c / a
@@ -38,12 +51,13 @@ BodyParts initial_cells(const ParticleSet& set, const InitialSprings& drawn, int
     BodyParts parts;
     std::unordered_map<int, int> local;  // by number of the node in the set
     std::vector<Vec> positions;
+    bool may_tear = false;
     for (const SolidCell& from : set.cells) {
         if (set.body[from.particle] != body) continue;
         const auto particle = static_cast<std::size_t>(from.particle);
         const InitialSprings::Source& source = drawn.of_part[set.part[particle]];
         const int corners = 1 << set.dimension;
-        const Eigen::VectorXd share = set.dimension == 3 ? shares_of<3>(from) : shares_of<2>(from);
+        may_tear = may_tear || source.may_tear;
         BodyParts::Cell cell;
         cell.id = from.particle;
         cell.size = from.size;
@@ -78,13 +92,11 @@ BodyParts initial_cells(const ParticleSet& set, const InitialSprings& drawn, int
             }
             cell.node[static_cast<std::size_t>(k)] = known->second;
             cell.shift[static_cast<std::size_t>(k)] = from.shift(k, set.box);
-            BodyParts::Node& node = parts.nodes[static_cast<std::size_t>(known->second)];
-            node.mass += share[k] * cell.mass;
-            node.drag += share[k] * cell.drag;
         }
         parts.cells.push_back(cell);
         positions.push_back(set.position[particle]);
     }
+    share_masses(parts, set.dimension, may_tear);
     parts.faces = faces_between(parts.cells, 1 << set.dimension);
     if (contact_range > 0)
         parts.held_apart = pairs_within(positions, set.dimension,

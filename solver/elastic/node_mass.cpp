@@ -6,16 +6,29 @@
 namespace dmp::solver {
 
 std::vector<double> node_masses(const Scene& scene, const ParticleSet& set, double liquid_density) {
-    std::vector<double> density;  // of the material by part, as far as it is known
+    std::vector<double> density;  // of the material by part
     for (const auto& [name, kind] : set.parts) {
-        const bool known = kind == PartKind::elastic && scene.part_of_particles(name).density.given();
-        density.push_back(known ? scene.part_of_particles(name).density.value : liquid_density);
+        density.push_back(liquid_density);
+        if (kind != PartKind::elastic) continue;
+        const Part& part = scene.part_of_particles(name);
+        // A strip is taken to be as thick as its two rows of nodes.
+        const double of_rows = part.mass_per_length / (2 * set.spacing);
+        if (part.density.given())
+            density.back() = part.density;
+        else if (of_rows > liquid_density)
+            density.back() = of_rows;
     }
     std::vector<double> mass = set.mass;
     if (liquid_density == 0) return mass;
-    for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) == PartKind::elastic)
-            mass[i] += liquid_density * std::max(0.0, set.volume[i] - set.mass[i] / density[set.part[i]]);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.kind(i) != PartKind::elastic) continue;
+        const double beside = set.volume[i] - set.mass[i] / density[set.part[i]];
+        const Part& part = scene.part_of_particles(set.parts[set.part[i]].name);
+        if (beside >= 0)
+            mass[i] += liquid_density * beside;
+        else if (part.density.given() && !part.thickness.given())  // a solid
+            mass[i] += std::min(liquid_density, density[set.part[i]]) * beside;
+    }
     return mass;
 }
 

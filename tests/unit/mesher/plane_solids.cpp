@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Solids of springs in geometries in 2-D.
 #include <cmath>
+#include <numbers>
+#include <sstream>
 
 #include <gmock/gmock.h>
 
@@ -77,6 +79,41 @@ TEST(PlaneSolids, take_their_room_and_stretch_as_their_material_does) {
     EXPECT_THAT(meshed.report.text(),
                 AllOf(HasSubstr("give E = 1e+06 Pa, nu = 0.25"), HasSubstr("1/1.52 of the area")));
     EXPECT_NEAR(meshed.report.parts.at(0).volume_error(), 0, 1e-12);
+}
+
+TEST(PlaneSolids, have_the_mass_of_what_is_drawn) {
+    for (const double radius : {0.32, 0.4, 0.53}) {
+        std::ostringstream points, lines;
+        points.precision(17);
+        constexpr int sides = 60;
+        for (int n = 0; n < sides; ++n) {
+            const double angle = n * 2 * std::numbers::pi / sides;
+            points << "Point(" << 10 + n << ") = {" << 2 + radius * std::cos(angle) << ", "
+                   << 1 + radius * std::sin(angle) << ", 0};\n";
+            lines << "Line(" << 10 + n << ") = {" << 10 + n << ", " << 10 + (n + 1) % sides << "};\n";
+        }
+        const Texts disc{block.with("anchor = \"wall\"\n", "").scene,
+                         channel.cad_geometry + points.str() + lines.str() +
+                             "Curve Loop(2) = {10:69};\nPlane Surface(2) = {2};\nPhysical Surface(\"block\") = {2};\n"};
+        for (const Texts& texts :
+             {disc, disc.with("model = \"springs\"", "model = \"springs\"\nbonds_within = \"0.19 m\"")}) {
+            const auto meshed = mesh_texts(texts);
+            const ParticleSet& set = meshed.particles;
+            double mass = 0, volume = 0;
+            for (std::size_t i = 0; i < set.size(); ++i)
+                if (set.kind(i) == PartKind::elastic) {
+                    mass += set.mass[i];
+                    volume += set.volume[i];
+                }
+            const double drawn = sides / 2.0 * std::sin(2 * std::numbers::pi / sides) * radius * radius;
+            EXPECT_NEAR(mass / (1200 * drawn), 1, 1e-9);
+            const double counted = static_cast<double>(count_of(set, "block")) * 0.125 * 0.125;
+            EXPECT_NEAR(volume, counted, 1e-12);
+            EXPECT_NEAR(meshed.report.springs.at(0).counted, counted / drawn, 1e-9);
+            EXPECT_GT(std::abs(counted / drawn - 1), 0.003);
+            EXPECT_THAT(meshed.report.text(), HasSubstr("of what is drawn, whose mass they have"));
+        }
+    }
 }
 
 TEST(PlaneSolids, may_be_cut_out_of_the_fluid) {

@@ -127,7 +127,16 @@ TEST(InertialMass, of_a_shells_node_includes_the_liquid_beside_the_material) {
     for (const double density : {1100.0, 7800.0, 300.0})
         EXPECT_NEAR(weight_in_water(density, 2e-7), (density - 1000) * 2e-7, 1e-15) << density;
     EXPECT_NEAR(weight_in_water(1100, 1e-6), 1e-4, 1e-15) << "a solid fills the volume of its nodes";
-    EXPECT_NEAR(weight_in_water(1100, 3e-6), 2.3e-3, 1e-15) << "a thick shell keeps its mass";
+    Part thick = leaflet_of(1100);
+    thick.thickness = Value<double>(0.03, SourceLocation{"scene.toml", 2});
+    const SceneAndParticles made = one_node_of(thick, 3.3e-3);
+    EXPECT_NEAR(node_masses(made.scene, made.particles, 1000)[1], 3.3e-3, 1e-15) << "a thick shell keeps its mass";
+}
+
+TEST(InertialMass, of_a_solid_of_springs_weighs_in_the_liquid_what_is_drawn) {
+    for (const double volume : {0.92e-6, 1.07e-6})  // of the drawn solid, for a node of 1 cm^3
+        EXPECT_NEAR(weight_in_water(1100, volume), 100 * volume, 1e-15) << volume;
+    EXPECT_NEAR(weight_in_water(300, 1.07e-6), -700 * 1e-6, 1e-15) << "a light one that of its nodes";
 }
 
 TEST(InertialMass, of_a_strips_node_is_at_least_that_of_the_liquid_it_displaces) {
@@ -137,6 +146,20 @@ TEST(InertialMass, of_a_strips_node_is_at_least_that_of_the_liquid_it_displaces)
     };
     EXPECT_NEAR(mass(2e-4), 1e-3, 1e-15);
     EXPECT_EQ(mass(2e-3), 2e-3);
+}
+
+TEST(InertialMass, of_a_strips_end_has_half_a_column_of_liquid) {
+    // In rows 1 cm apart a strip of 60 kg/m has 3000 kg/m^3.
+    const auto mass = [](double of_length, double of_material) {
+        Part strip = leaflet_of(0);
+        strip.mass_per_length = of_length;
+        SceneAndParticles made = one_node_of(strip, of_material);
+        made.particles.spacing = 0.01;
+        return node_masses(made.scene, made.particles, 1000)[1];
+    };
+    EXPECT_NEAR(mass(60, 3e-3), 3e-3, 1e-15) << "of three times the liquid's density";
+    EXPECT_NEAR(mass(60, 1.5e-3), 2e-3, 1e-15) << "its end: half of it, half of the liquid";
+    EXPECT_NEAR(mass(2, 5e-5), 1e-3, 1e-15) << "a light one is as heavy as the liquid";
 }
 
 TEST(InertialMass, stays_as_given_where_no_liquid_is_all_around) {
