@@ -218,6 +218,9 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
               {{"whole", from.whole}, {"end", from.end}, {"peak", from.peak}, {"integral", from.integral}}}});
     if (const auto& start = extra.started_from)
         json["started_from"] = {{"checkpoint", start->checkpoint}, {"step", start->step}, {"time_s", start->time}};
+    for (const ChamberDrift& chamber : summary.chambers)
+        json["chambers"].push_back(
+            {{"mass", chamber.mass}, {"density_drift", chamber.drift}, {"place", chamber.place}});
     if (summary.velocity_change) json["velocity_change_per_spacing"] = *summary.velocity_change;
     for (const LargestStrain& strain : summary.strains)
         json["strain_of_bonds"][strain.name] = {{"lowest", strain.compressed}, {"highest", strain.stretched}};

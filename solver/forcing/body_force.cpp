@@ -139,9 +139,11 @@ ExactSum BodyForce::add_pressure_forces(ParticleStore& particles, const std::arr
     for (const PartKind kind : {PartKind::fluid, PartKind::elastic}) {
         ParticleGroup& group = particles.of(kind);
         const double* volume = group.data(Field::volume);
+        const double* dry = group.has(Field::whole_pressure) ? group.data(Field::whole_pressure) : nullptr;
         std::array<double*, 3> force{};
         for (int axis = 0; axis < particles.dimension(); ++axis) force[axis] = group.data(Field::force, axis);
         volumes.add(sums_of_multiples<1>(group, threads, [&](std::ptrdiff_t i, auto& sum) {
+            if (dry != nullptr && dry[i] != 0) return;
             const double rounded = rounded_(volume[i]);
             for (int axis = 0; axis < particles.dimension(); ++axis)
                 if (pressure[axis] != 0) force[axis][i] += rounded * pressure[axis];

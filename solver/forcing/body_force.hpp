@@ -47,7 +47,8 @@ class BodyForce {
     Momentum add_weights(ParticleStore& particles, const SpringBodies& springs, const Ranks& ranks, double t) const;
 
     /// Adds V times a force density [N/m^3], such as -grad p, to the forces on liquid and elastic solids, V being the
-    /// present volume of each particle. Returns the sum of V on this rank [m^3].
+    /// present volume of each particle. Not to solids that border on nothing: on these a pressure acts where they are
+    /// wet alone. Returns the sum of V on this rank [m^3].
     [[nodiscard]] ExactSum add_pressure_forces(ParticleStore& particles, const std::array<double, 3>& force_density,
                                                int threads) const;
 

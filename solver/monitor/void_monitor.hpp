@@ -23,7 +23,7 @@ class VoidMonitor {
   public:
     struct Settings {
         bool watches;  ///< only with the corrected scheme, and not where the fluid has a free surface at the start
-        bool closes;   ///< suction acts on voids: not where an elastic solid is wet on one side only
+        bool closes;   ///< suction acts on voids
     };
     VoidMonitor(const Scene& scene, const Settings& settings) : scene_(scene), settings_(settings) {}
 

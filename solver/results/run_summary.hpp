@@ -84,6 +84,13 @@ struct LargestStrain {
     bool of_cells = false;                 ///< Green's principal strains, not those of bonds
 };
 
+/// One of several closed chambers of the fluid, each of which keeps its volume.
+struct ChamberDrift {
+    double mass = 0;                ///< of its liquid [kg]
+    double drift = 0;               ///< by how much its mean density would have drifted, which was taken off [-]
+    std::array<double, 3> place{};  ///< of one of its particles [m]
+};
+
 struct RunSummary {
     std::map<std::string, std::size_t> particles;
     long steps = 0;
@@ -112,6 +119,7 @@ struct RunSummary {
     double density_low = 0, density_high = 0;
     /// By how much the mean of the densities would have drifted, which keeping the fluid's volume took off [-].
     double density_drift = 0;
+    std::vector<ChamberDrift> chambers;  ///< where there are several at the end
     std::size_t lost = 0;
     std::string state_hash;  ///< of all particles, their final positions, velocities and densities, 16 hex digits
     std::map<std::string, double> seconds_by_stage;

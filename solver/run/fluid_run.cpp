@@ -9,6 +9,7 @@
 
 #include "base/number_text.hpp"
 #include "particles/apart.hpp"
+#include "solver/elastic/whole_pressure.hpp"
 #include "solver/output/aggregates.hpp"
 #include "solver/output/make_frame.hpp"
 #include "solver/results/expected_steps.hpp"
@@ -25,7 +26,7 @@ namespace dmp::solver {
 
 namespace {
 
-constexpr int steps_between_checks = 50;
+constexpr int steps_between_checks = 50, steps_between_searches = 50;  // searches: for chambers
 
 /// The set itself, in which no two particles have the same position.
 const ParticleSet& checked(const ParticleSet& set) {
@@ -61,6 +62,7 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
       measure_times_(time_between_rows(scene_)) {
     for (std::size_t i = 0; i < set.size(); ++i) ++count_[to_string(set.kind(i))];
     fill_store(scene_, set, particles_);
+    fill_whole_pressure(settings_.dry_bodies, particles_);
     fluid_.take_speed();
     scales_.diffusion_limit = fluid_.sweeps().diffusion_limit();
     at_start_ = conserved();
@@ -71,6 +73,7 @@ void FluidRun::start(FrameSink* sink) {
     if (step_ == 0) fluid_.take_initial_gradients(time_);  // events may read them
     if (step_ == 0) events_.act(time_, particles_, fluid_);
     if (step_ == 0) fluid_.take_initial_gradients(time_);
+    if (step_ == 0) fluid_.find_chambers();
     if (step_ == 0) fluid_.update_contact_rate();
     extremes_ = fluid_.extremes();
     if (step_ == 0) write_what_is_due(sink);
@@ -84,6 +87,22 @@ void FluidRun::start_from_state(FrameSink* sink) {
     take_measures();
     write_frame(sink);
 }
+
+std::vector<Warning> FluidRun::chamber_warnings() const {
+    std::vector<Warning> warnings;
+    for (const ChamberDrift& chamber : fluid_.reference().chamber_drifts())
+        if (const auto warning = chamber_warning(chamber, particles_.dimension())) warnings.push_back(*warning);
+    return warnings;
+}
+
+std::vector<Warning> FluidRun::new_chamber_warnings() {
+    if (warned_of_chambers_ != 0) return {};
+    std::vector<Warning> warnings = chamber_warnings();
+    warned_of_chambers_ = warnings.empty() ? 0 : 1;
+    return warnings;
+}
+
+bool FluidRun::may_change_chambers() const { return scene_.changes_bodies() || !fluid_.springs().empty(); }
 
 Conserved FluidRun::conserved() const {
     const ParticleGroup& liquid = particles_.fluid();
@@ -165,6 +184,7 @@ void FluidRun::archive_accounts(Archive& file) {
     velocity_change_.archive(file);
     strain_.archive(file);
     voids_.archive(file);
+    if (settings_.chambers) file("warned_of_chambers", warned_of_chambers_);
     file("mass_at_start", at_start_.mass);
     file("momentum_at_start", at_start_.momentum);
     measures_.archive(file);
@@ -318,8 +338,11 @@ void FluidRun::advance(const RunOptions& options, const Step& step) {
     if (VoidMonitor::wants(step_) || has_suction)
         if (const auto opened = voids_.look(particles_, ranks_, time_, has_suction)) warnings.push_back(*opened);
     if (VelocityChange::wants(step_)) velocity_change_.add(particles_, ranks_, time_);
+    if (settings_.chambers && step_ % steps_between_checks == 0)
+        std::ranges::move(new_chamber_warnings(), std::back_inserter(warnings));
     for (const Warning& warning : warnings)
         if (options.warn) options.warn(time_, warning);
+    if (may_change_chambers() && step_ % steps_between_searches == 0) fluid_.find_chambers();
     // The next step follows from what there is after it, as it does after a restart.
     if (events_.act(time_, particles_, fluid_)) extremes_ = fluid_.extremes();
     write_what_is_due(options.sink);
@@ -388,7 +411,9 @@ RunSummary FluidRun::summary() const {
     summary.strains = strain_.largest();
     std::ranges::move(strain_.warnings(scene_), std::back_inserter(summary.warnings));
     summary.density_drift = fluid_.reference().density_drift();
+    summary.chambers = fluid_.reference().chamber_drifts();
     if (const auto opened = voids_.warning()) summary.warnings.push_back(*opened);
+    std::ranges::move(chamber_warnings(), std::back_inserter(summary.warnings));
     if (const auto drift = drift_warning(summary.density_drift)) summary.warnings.push_back(*drift);
     summary.lost = static_cast<std::size_t>(
         ranks_.sum(static_cast<std::int64_t>(monitor_.lost(particles_, fluid_.neighbours().list()))));

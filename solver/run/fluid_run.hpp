@@ -53,6 +53,10 @@ class FluidRun final : public Run {
 
   private:
     [[nodiscard]] Conserved conserved() const;
+    [[nodiscard]] bool may_change_chambers() const;
+    /// Of the first chambers whose density drifts too far; then none any more.
+    std::vector<Warning> new_chamber_warnings();
+    [[nodiscard]] std::vector<Warning> chamber_warnings() const;
     [[nodiscard]] std::vector<StepLimit> limits_now(double largest_speed) const;
     /// The time at which what drives the scene changes, if that is before the target, else the target.
     [[nodiscard]] double next_change(double target) const;
@@ -90,7 +94,8 @@ class FluidRun final : public Run {
     SpringStrain strain_;
     Schedule frame_times_, measure_times_;
     std::int64_t frames_ = 0;
-    double last_frame_ = 0;  ///< time of the last frame [s]
+    std::int64_t warned_of_chambers_ = 0;  ///< 1 once there was one
+    double last_frame_ = 0;                ///< time of the last frame [s]
     Conserved at_start_;
 };
 

@@ -1,7 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/run/free_surface.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "models/sph/kernels.hpp"
 #include "particles/cell_grid.hpp"
@@ -29,8 +31,9 @@ void add_mirror_images(const ParticleSet& set, double reach, Coordinates& points
         }
 }
 
+/// By particle: whether it lacks neighbours on one side, if it is of this kind and free; else 0.
 template <int D>
-bool any_on_surface(const ParticleSet& set, PartKind kind, int threads) {
+std::vector<std::uint8_t> on_surface(const ParticleSet& set, PartKind kind, int threads) {
     const double support = 3 * set.spacing;
     const WendlandC2<D> kernel(support);
     Coordinates points;
@@ -47,8 +50,8 @@ bool any_on_surface(const ParticleSet& set, PartKind kind, int threads) {
     add_mirror_images<D>(set, support, points, volume);
     const CellGrid grid(points, volume.size(), D, support);
     const auto count = static_cast<std::ptrdiff_t>(set.size());
-    bool found = false;
-#pragma omp parallel for num_threads(threads) schedule(static) reduction(|| : found)
+    std::vector<std::uint8_t> found(set.size());
+#pragma omp parallel for num_threads(threads) schedule(static)
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         if (set.kind(static_cast<std::size_t>(i)) != kind || set.fixed[i]) continue;
         std::array<double, 3> position{};
@@ -59,15 +62,30 @@ bool any_on_surface(const ParticleSet& set, PartKind kind, int threads) {
             for (int axis = 0; axis < D; ++axis) r_square += square(points[axis][j] - position[axis]);
             divergence -= volume[j] * kernel.slope(std::sqrt(r_square)) * r_square;
         });
-        found = found || divergence < 0.75 * D;
+        found[i] = divergence < 0.75 * D ? 1 : 0;
     }
     return found;
 }
 
+std::vector<std::uint8_t> on_surface(const ParticleSet& set, PartKind kind, int threads) {
+    return set.dimension == 3 ? on_surface<3>(set, kind, threads) : on_surface<2>(set, kind, threads);
+}
+
 }  // namespace
 
-bool has_free_surface(const ParticleSet& set, int threads, PartKind kind) {
-    return set.dimension == 3 ? any_on_surface<3>(set, kind, threads) : any_on_surface<2>(set, kind, threads);
+bool has_free_surface(const ParticleSet& set, int threads) {
+    return std::ranges::count(on_surface(set, PartKind::fluid, threads), 1) > 0;
+}
+
+std::vector<bool> dry_bodies(const ParticleSet& set, int threads) {
+    std::vector<bool> dry;
+    const auto found = on_surface(set, PartKind::elastic, threads);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (found[i] == 0) continue;
+        dry.resize(std::max(dry.size(), static_cast<std::size_t>(set.body[i]) + 1));
+        dry[static_cast<std::size_t>(set.body[i])] = true;
+    }
+    return dry;
 }
 
 }  // namespace dmp::solver

@@ -11,6 +11,7 @@
 #include "solver/elastic/node_mass.hpp"
 #include "solver/forcing/drive_time.hpp"
 #include "solver/forcing/driven.hpp"
+#include "solver/run/closed_chambers.hpp"
 #include "solver/run/free_surface.hpp"
 #include "solver/run/sound_speed.hpp"
 #include "solver/run/starting_state.hpp"
@@ -66,6 +67,13 @@ double largest_density(const Scene& scene) {
 
 double density_ratio(const Scene& scene) {
     return scene.parts_of(PartKind::fluid).empty() ? 1 : largest_density(scene) / lightest_density(scene);
+}
+
+/// Nothing moves that can change the fluid's volume. A solid that borders on nothing can give way, and the liquid of a
+/// closed chamber with it; through a periodic side liquid goes on, and its mean pressure is the scene's.
+bool keeps_volume(const Scene& scene, const PairSettings& settings) {
+    const bool is_open = std::ranges::count(settings.periodic, true) > 0;
+    return !settings.walls.moving && scene.moving_shapes.empty() && (settings.dry_bodies.empty() || is_open);
 }
 
 bool is_by_summation(DensityModel density) {
@@ -147,9 +155,11 @@ PairSettings pair_settings(const Scene& scene, const ParticleSet& set, const Res
     }
     if (settings.corrected || !settings.hydrostatic) settings.free_surface = has_free_surface(set, settings.threads);
     settings.hydrostatic = settings.hydrostatic || settings.free_surface;
+    settings.subtracts_level = settings.corrected && !settings.free_surface;
     // A solid that is wet on one side holds the whole pressure, not what is left of it.
-    settings.subtracts_level =
-        settings.corrected && !settings.free_surface && !has_free_surface(set, settings.threads, PartKind::elastic);
+    if (settings.subtracts_level) settings.dry_bodies = dry_bodies(set, settings.threads);
+    settings.keeps_volume = settings.subtracts_level && keeps_volume(scene, settings);
+    settings.chambers = settings.keeps_volume && may_have_chambers(scene, set);
     return settings;
 }
 

@@ -22,6 +22,7 @@
 #include "solver/sweeps/force_sweep.hpp"
 #include "solver/sweeps/fused_diffusion.hpp"
 #include "solver/sweeps/gradient_sweep.hpp"
+#include "solver/sweeps/level_sweep.hpp"
 #include "solver/sweeps/prune_sweep.hpp"
 #include "solver/sweeps/species_sweep.hpp"
 #include "solver/sweeps/summation_sweep.hpp"
@@ -105,6 +106,11 @@ class Sweeps final : public PairSweeps {
             TransportSweep<L, D, Kernel>(particles, list, kernel_, force_rounding_, density_rounding_.shift,
                                          settings_.threads)
                 .run(choice);
+    }
+
+    void level_forces(ParticleStore& particles, const ClusterList& list, const ReferencePressure& reference,
+                      ClusterChoice choice) const override {
+        LevelSweep<L, D, Kernel>(particles, list, kernel_, reference, force_rounding_, settings_.threads).run(choice);
     }
 
     void density_rates(ParticleStore& particles, const ClusterList& list,

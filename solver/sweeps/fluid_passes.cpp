@@ -168,6 +168,23 @@ VolumeSums FluidPasses::volume_sums(const ParticleGroup& fluid, double largest_v
     return {sums[0], sums[1], sums[2], sums[3]};
 }
 
+std::vector<ExactSum> FluidPasses::chamber_volumes(const ParticleGroup& fluid, std::size_t chambers,
+                                                   double largest_volume) {
+    const ReproducibleSum round_volume(largest_volume);
+    const double *volume = fluid.data(Field::volume), *chamber = fluid.data(Field::chamber);
+    std::vector<ExactSum> sums(chambers);
+    // Few numbers of one chamber at a time, which add up exactly.
+    constexpr std::size_t at_a_time = 32;
+    for (std::size_t i = 0; i < fluid.owned();) {
+        const double own = chamber[i];
+        double some = 0;
+        for (const std::size_t end = std::min(i + at_a_time, fluid.owned()); i < end && chamber[i] == own; ++i)
+            some += round_volume(volume[i]);
+        sums[static_cast<std::size_t>(own)].add(some);
+    }
+    return sums;
+}
+
 SpeedSums FluidPasses::kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
                             double expected_speed) const {
     return can_round(expected_speed) ? kick_and_sum<true>(fluid, dt, g, expected_speed)
@@ -333,7 +350,8 @@ FluidPasses::Shifted FluidPasses::shift_and_interpolate(ParticleStore& particles
 }
 
 FluidPasses::Shifted FluidPasses::shift(ParticleStore& particles, double dt, const ShiftStep& shift,
-                                        double largest_momentum, double density_excess) const {
+                                        double largest_momentum, double density_excess,
+                                        std::span<const double> excess_of_chambers) const {
     ParticleGroup& fluid = particles.fluid();
     Shifted shifted;
     if (shift.per_sum != 0)
@@ -344,9 +362,19 @@ FluidPasses::Shifted FluidPasses::shift(ParticleStore& particles, double dt, con
                     fluid.data(Field::density_gradient, axis));
     double* density = fluid.data(Field::density);
     const double* rate = fluid.data(Field::density_rate);
-    const double kept = 1 - density_excess;
-    update_density_range(
-        fluid, [=](std::ptrdiff_t i) { return density[i] = kept * (density[i] + dt * rate[i]); }, shifted.extremes);
+    if (excess_of_chambers.empty()) {
+        const double kept = 1 - density_excess;
+        update_density_range(
+            fluid, [=](std::ptrdiff_t i) { return density[i] = kept * (density[i] + dt * rate[i]); }, shifted.extremes);
+    } else {
+        const double* chamber = fluid.data(Field::chamber);
+        const auto kept = [=](std::ptrdiff_t i) {
+            return 1 - excess_of_chambers[static_cast<std::size_t>(chamber[i])];
+        };
+        update_density_range(
+            fluid, [=](std::ptrdiff_t i) { return density[i] = kept(i) * (density[i] + dt * rate[i]); },
+            shifted.extremes);
+    }
     return shifted;
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "models/sph/liquid_state.hpp"
 #include "solver/parallel/exact_sum.hpp"
 #include "solver/store/particle_store.hpp"
+#include "solver/sweeps/reference_pressure.hpp"
 
 namespace dmp::solver {
 
@@ -27,14 +29,6 @@ struct SpeedSums {
 struct ShiftStep {
     double per_sum = 0;  ///< [m^2]
     double longest = 0;  ///< [m]
-};
-
-/// An affine pressure that is subtracted from the fluid's in sums over pairs (corrected scheme): a pressure makes the
-/// arrangement of the particles stiff, and resists every flow, though its gradient is nothing or known.
-///   P(x) = level + slope . (x - centre)   [Pa]
-struct ReferencePressure {
-    double level = 0;
-    std::array<double, 3> slope{}, centre{};
 };
 
 /// Sums over the fluid's volumes, the same bits in any order.
@@ -69,18 +63,21 @@ class FluidPasses {
     /// x += dt v alone.
     void drift(ParticleStore& particles, double dt) const;
     /// x += shift; velocity and density follow by their gradients, v += G shift, rho += g . shift; rho += dt drho/dt,
-    /// and then loses the share `density_excess`. The fluid's momentum changes by `momentum`, rounded for the largest
-    /// momentum of a particle [N s].
+    /// and then loses the share `density_excess`, or where there are several chambers that of its own. The fluid's
+    /// momentum changes by `momentum`, rounded for the largest momentum of a particle [N s].
     struct Shifted {
         PassExtremes extremes;
         std::array<ExactSum, 3> momentum;  ///< [N s]
     };
     [[nodiscard]] Shifted shift(ParticleStore& particles, double dt, const ShiftStep& shift, double largest_momentum,
-                                double density_excess) const;
+                                double density_excess, std::span<const double> excess_of_chambers = {}) const;
     /// v += change
     void add_to_velocities(ParticleGroup& fluid, const std::array<double, 3>& change) const;
     [[nodiscard]] VolumeSums volume_sums(const ParticleGroup& fluid, double largest_volume,
                                          double largest_pressure) const;
+    /// By chamber: the sum of volumes [m^3], the same bits in any order.
+    [[nodiscard]] static std::vector<ExactSum> chamber_volumes(const ParticleGroup& fluid, std::size_t chambers,
+                                                               double largest_volume);
     /// From the next update of pressures on.
     void subtract(const ReferencePressure& reference) { reference_ = reference; }
     [[nodiscard]] const ReferencePressure& subtracted() const { return reference_; }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "models/sph/fluid_law_list.hpp"
 #include "models/sph/viscous_scales.hpp"
@@ -13,6 +14,7 @@
 #include "solver/neighbours/cluster_list.hpp"
 #include "solver/parallel/resources.hpp"
 #include "solver/store/particle_store.hpp"
+#include "solver/sweeps/reference_pressure.hpp"
 #include "solver/uses.hpp"
 
 namespace dmp::solver {
@@ -31,6 +33,11 @@ struct PairSettings {
     bool several_fluids = false;       ///< fluids differ in rest density or viscosity
     bool free_surface = false;         ///< corrected scheme: shifting vanishes where neighbours are missing
     bool subtracts_level = false;      ///< corrected scheme: forces are of pressures less a reference
+    /// By elastic body at the start, where the level is subtracted: it borders on nothing and feels the whole pressure;
+    /// empty: none does.
+    std::vector<bool> dry_bodies{};
+    bool keeps_volume = false;  ///< where the level is subtracted: nothing moves that can change the fluid's volume
+    bool chambers = false;      ///< of a volume that is kept: of each of several chambers, which there are or may be
 
     struct {
         double largest = 0;         ///< largest rest density [kg/m^3]
@@ -130,6 +137,11 @@ class PairSweeps {
     /// viscosity, repulsion.
     virtual void forces(ParticleStore& particles, const ClusterList& list, const ForceSums& sums,
                         ClusterChoice choice = ClusterChoice::all) const = 0;
+
+    /// Adds to the forces on elastic solids that border on nothing what the reference pressure exerts on them [N], and
+    /// stores it in level_force.
+    virtual void level_forces(ParticleStore& particles, const ClusterList& list, const ReferencePressure& reference,
+                              ClusterChoice choice = ClusterChoice::all) const = 0;
 
     /// Computes velocity_gradient, mean_correction, density_rate, next_density_gradient and, with shifting, shift of
     /// the fluid (corrected scheme).

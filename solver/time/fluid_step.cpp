@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
 #include <utility>
 
 #include "solver/elastic/node_mass.hpp"
 #include "solver/elastic/turn_solid.hpp"
+#include "solver/elastic/whole_pressure.hpp"
 #include "solver/forcing/driven.hpp"
-#include "solver/state/loaded_groups.hpp"
 #include "solver/uses.hpp"
 
 namespace dmp::solver {
@@ -17,9 +19,9 @@ namespace {
 
 /// Sum over the owned particles of a group. Forces of one sweep are multiples of its quantum: some of them add up
 /// exactly in a double, which is faster than one by one.
-ExactSum total_force(const ParticleGroup& group, int axis, bool of_one_sweep) {
+ExactSum total_force(const ParticleGroup& group, int axis, bool of_one_sweep, Field field = Field::force) {
     const std::size_t at_a_time = of_one_sweep ? 32 : 1;
-    const double* force = group.data(Field::force, axis);
+    const double* force = group.data(field, axis);
     ExactSum total;
     for (std::size_t begin = 0; begin < group.owned(); begin += at_a_time) {
         double some = 0;
@@ -52,8 +54,8 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       driving_(scene, set, particles.space()),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
       body_force_(scene, set, particles),
-      reference_({settings.subtracts_level, !walls_.moves() && scene.moving_shapes.empty(),
-                  VoidClosing::time(settings.support, settings.sound_speed)},
+      reference_({settings.subtracts_level, settings.keeps_volume,
+                  VoidClosing::time(settings.support, settings.sound_speed), settings.chambers},
                  rest_density_, particles, ranks) {
     if (settings.gradient_correction)
         force_fields_.insert(force_fields_.end(), {Field::correction, Field::correction_off_diagonal});
@@ -160,6 +162,14 @@ void FluidStep::take_initial_gradients(double t) {
     if (reference_.subtracts()) reference_.start(volumes_of_all_ranks());
 }
 
+void FluidStep::find_chambers() {
+    if (!settings_.chambers || at_rest_) return;
+    std::vector<bool> moves;
+    for (const auto& body : springs_.bodies()) moves.push_back(body->free_mass() > 0);
+    reference_.take_chambers(solver::find_chambers(particles_, neighbours_, settings_.spacing, moves), particles_,
+                             ranks_);
+}
+
 /// The reference of the next sums: the hydrostatic slope of now, and the level that is known.
 void FluidStep::subtract_reference(double t) {
     passes_.subtract(reference_.pressure(particles_, body_force_.hydrostatic(t)));
@@ -185,6 +195,8 @@ void FluidStep::sum_forces(double t, double dt) {
     sweep("forces", fields,
           [&, sums = ForceSums{body_force_.in_walls(t), passes_.subtracted().slope, dt}](ClusterChoice clusters) {
               sweeps_->forces(particles_, neighbours_.list(), sums, clusters);
+              if (has_dry_bodies())
+                  sweeps_->level_forces(particles_, neighbours_.list(), passes_.subtracted(), clusters);
           });
     if (!springs_.empty()) timer_.timed("elastic", [&] { update_contact_rate(); });
 }
@@ -303,6 +315,7 @@ void FluidStep::change_bodies(const BodyChange& change) {
     if (!turning.empty()) solidify_particles(particles_, turning, bodies_ahead_, neighbours_.list());
     springs_.change(change, particles_.space());
     springs_.number_particles(particles_);
+    spread_whole_pressure(particles_, springs_.bodies().size(), ranks_);
     reference_.count(particles_, ranks_);
     neighbours_.forget();
     refresh_neighbours();
@@ -331,6 +344,13 @@ void FluidStep::add_up(double t, double dt, const ExactSum& fourth_powers_of_spe
         sums.push_back(fourth_powers_of_speeds);
         sums.emplace_back().add(static_cast<double>(particles_.fluid().owned()));
     }
+    const std::size_t by_chamber = sums.size(), chambers = reference_.chamber_excess().size();
+    if (chambers > 0)
+        std::ranges::move(FluidPasses::chamber_volumes(particles_.fluid(), chambers, 2 * particle_volume()),
+                          std::back_inserter(sums));
+    const std::size_t by_level = sums.size();
+    for (std::size_t axis = 0; has_dry_bodies() && axis < axes; ++axis)
+        sums.push_back(total_force(particles_.of(PartKind::elastic), static_cast<int>(axis), true, Field::level_force));
     if (by_volume_) sums.push_back(driven_volume_);
     ranks_.sum(sums);
     const auto g = body_force_.uniform(t), pressure = body_force_.force_density(t);
@@ -339,8 +359,11 @@ void FluidStep::add_up(double t, double dt, const ExactSum& fourth_powers_of_spe
         impulses_.of_body_forces[axis] += dt * (g[axis] * driven_mass_ + pressure[axis] * volume);
         // The walls hold what the reference pressure exerts on fluid and bodies.
         impulses_.of_fixed[axis] -= dt * (sums[axis].value() + passes_.subtracted().slope[axis] * volume);
+        if (has_dry_bodies()) impulses_.of_fixed[axis] += dt * sums[by_level + axis].value();
     }
-    if (reference_.subtracts()) reference_.update({sums[axes], sums[axes + 1], sums[axes + 2], sums[axes + 3]}, dt);
+    if (reference_.subtracts())
+        reference_.update({sums[axes], sums[axes + 1], sums[axes + 2], sums[axes + 3]}, dt,
+                          std::span(sums).subspan(by_chamber, chambers));
     if (shifts_by_speed())
         quartic_mean_speed_ = std::sqrt(std::sqrt(sums[axes].value() / std::max(1.0, sums[axes + 1].value())));
 }
@@ -371,7 +394,8 @@ void FluidStep::drift_to_end_of_step(double dt) {
 FluidExtremes FluidStep::shift_particles(double dt) {
     ParticleGroup& fluid = particles_.fluid();
     const double largest_momentum = settings_.density.largest * particle_volume() * largest_speed_;
-    auto shifted = passes_.shift(particles_, dt / 2, shift_step(dt), largest_momentum, reference_.density_excess());
+    auto shifted = passes_.shift(particles_, dt / 2, shift_step(dt), largest_momentum, reference_.density_excess(),
+                                 reference_.chamber_excess());
     std::array<double, 3> largest{shifted.extremes.longest_shift, -shifted.extremes.density_low,
                                   shifted.extremes.density_high};
     ranks_.largest(largest);
@@ -401,32 +425,6 @@ FluidExtremes FluidStep::drift_to_end(double dt) {
     const double bodies_moved = springs_.show_positions(particles_), walls_moved = walls_.move_to_end(particles_);
     neighbours_.moved(std::max({dt / 2 * largest_speed_ + shifted, bodies_moved, walls_moved}));
     return {largest_speed_, -largest[1], largest[2]};
-}
-
-void FluidStep::archive(Archive& file) {
-    file("fluid/largest_speed", largest_speed_);
-    if (settings_.repulsion_strength > 0 && !file.starts_run()) file("fluid/contact_rate", contact_rate_);
-    if (settings_.corrected) {
-        reference_.archive(file);
-        file("fluid/bodies_shown", bodies_shown_);
-    }
-    if (!file.starts_run()) archive_accounts(file);
-    springs_.archive(file);
-    if (file.loading())
-        for (const ParticleTag& tag : particles_.of(PartKind::elastic).tags())
-            if (!springs_.holds(tag.id)) throw unlike_any_run("an elastic particle that is a node of no body");
-    walls_.archive(file);
-    if (species_) species_->archive(file);
-    if (file.loading()) neighbours_.forget();
-}
-
-/// And what follows from the driving of the last step, which a new run may not have.
-void FluidStep::archive_accounts(Archive& file) {
-    file("fluid/impulse_of_body_forces", impulses_.of_body_forces);
-    file("fluid/impulse_of_fixed", impulses_.of_fixed);
-    file("fluid/impulse_of_drag", impulses_.of_drag);
-    if (viscosity_) viscosity_->archive(file);
-    driving_.archive(file);
 }
 
 void FluidStep::forget_wall_motion() {

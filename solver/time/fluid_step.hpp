@@ -51,6 +51,10 @@ class FluidStep {
     /// pressure. Neighbours must be up to date.
     void take_initial_gradients(double t);
 
+    /// Of the corrected scheme: looks for closed chambers of the fluid, each of which then keeps its volume. At times
+    /// that follow from the number of the step alone. Neighbours must have been up to date in the last step.
+    void find_chambers();
+
     /// Takes note of how fast the fluid is; for one that starts in motion.
     void take_speed() { largest_speed_ = extremes().largest_speed; }
     /// Takes note of how stiff the contacts of spring bodies are where they were drawn. Neighbours must be up to date.
@@ -93,6 +97,7 @@ class FluidStep {
 
   private:
     void archive_accounts(Archive& file);
+    void check_chambers() const;
     void renew_list();
     void prune_list();
     void sweep(const char* stage, const FieldList& fields, const std::function<void(ClusterChoice)>& over);
@@ -113,6 +118,7 @@ class FluidStep {
         return settings_.shifting > 0 && (!settings_.corrected || settings_.free_surface);
     }
     [[nodiscard]] double particle_volume() const;
+    [[nodiscard]] bool has_dry_bodies() const { return !settings_.dry_bodies.empty(); }
     void sum_forces(double t, double dt);
     void add_outside_forces(double t, double dt);
     void solve_viscous_forces(double t, double dt);
