@@ -39,7 +39,8 @@ bool on_open_side(const Points& points, const ParticleSpace& space) {
                 !space.mirrored.at(static_cast<std::size_t>(axis)).at(side))
                 continue;
             const double at = (side == 0 ? space.box.low : space.box.high)[axis];
-            if (std::ranges::all_of(points, [&](const Vec& p) { return std::abs(p[axis] - at) < 1e-6 * space.spacing; }))
+            if (std::ranges::all_of(points,
+                                    [&](const Vec& p) { return std::abs(p[axis] - at) < 1e-6 * space.spacing; }))
                 return true;
         }
     return false;
@@ -223,14 +224,13 @@ double thickness_of_rows(const Sheet& sheet, double spacing, MeshReport& report)
                                     : ", by its mass_per_length and the liquid's density; `thickness` sets it"));
         return sheet.thickness;
     }
-    report.warnings.push_back(name + ": is " + length_text(sheet.thickness) + " thick" +
-                              (sheet.part->thickness.given() || report.dimension == 3
-                                   ? ""
-                                   : " by its mass_per_length and the liquid's density") +
-                              ", and liquid flows past its two rows of particles as if it were " + length_text(rows) +
-                              "; draw it as " + (report.dimension == 3 ? "a volume" : "an area") +
-                              ", or take a larger particles.spacing" +
-                              (report.dimension == 3 ? "" : ", or give its `thickness`"));
+    report.warnings.push_back(
+        name + ": is " + length_text(sheet.thickness) + " thick" +
+        (sheet.part->thickness.given() || report.dimension == 3 ? ""
+                                                                : " by its mass_per_length and the liquid's density") +
+        ", and liquid flows past its two rows of particles as if it were " + length_text(rows) + "; draw it as " +
+        (report.dimension == 3 ? "a volume" : "an area") + ", or take a larger particles.spacing" +
+        (report.dimension == 3 ? "" : ", or give its `thickness`"));
     return rows;
 }
 

@@ -99,6 +99,8 @@ enum class SolidField {
     principal_stretches,
     traction
 };
+/// Between what of two solids a gap is measured.
+enum class GapBetween { surfaces, middles, particles };
 
 }  // namespace dmp::scene
 
@@ -161,6 +163,9 @@ template <>
 inline constexpr auto enum_names<scene::FluidField> =
     std::to_array<std::string_view>({"velocity", "pressure", "density", "shear_stress", "stress", "von_mises",
                                      "vorticity", "residence_time", "concentration"});
+template <>
+inline constexpr auto enum_names<scene::GapBetween> = std::to_array<std::string_view>({"surfaces", "middles",
+                                                                                       "particles"});
 template <>
 inline constexpr auto enum_names<scene::SolidField> =
     std::to_array<std::string_view>({"velocity", "displacement", "mean_displacement", "stress", "von_mises", "strain",

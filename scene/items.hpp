@@ -93,10 +93,11 @@ struct Measure {
     Value<std::array<int, 3>> waves;                           ///< mode: number of waves in the period along each axis
     Value<std::string> part;  ///< gap: elastic solid; wall_flux: rigid or elastic part; uptake: what takes up, empty:
                               ///< all; velocity, spin, detached: spheres; aggregate: [[solidify]] or elastic solid
-    Value<std::string> species;          ///< measures of species: its name; empty: the only one
-    Value<Axis> axis = Axis::x;          ///< profile, spread: along this axis
-    Value<int> bins = 20;                ///< profile: number of bins
-    Value<double> about = 0.0;           ///< spread: centre of the variance; not given: the mean [m]
+    Value<GapBetween> between = GapBetween::surfaces;  ///< gap: what of the pieces
+    Value<std::string> species;                        ///< measures of species: its name; empty: the only one
+    Value<Axis> axis = Axis::x;                        ///< profile, spread: along this axis
+    Value<int> bins = 20;                              ///< profile: number of bins
+    Value<double> about = 0.0;                         ///< spread: centre of the variance; not given: the mean [m]
     Value<double> length = 0.0;          ///< peclet, wall_flux: of the Peclet or Sherwood number [m]; 0: not given
     Value<double> area = 0.0;            ///< wall_flux: of the wall, for the Sherwood number [m^2]
     Value<Vec> direction{Vec::UnitZ()};  ///< detached: direction to the upper half

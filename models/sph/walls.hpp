@@ -123,12 +123,12 @@ struct ExtrapolatedSolid {
         const T farther = has_normal * by_side(1.0, -1.0, 0.0) * (distance - actual);
         for (int a = 0; a < D; ++a) {
             liquid.velocity[a] = body.velocity[a] - ratio * (fluid.velocity[a] - body.velocity[a]);
-            liquid.velocity_by_gradient[a] = ratio * (dot(body.surface_gradient[a], from_body) -
-                                                      farther * dot(fluid.gradient[a], body.normal));
+            liquid.velocity_by_gradient[a] =
+                ratio * (dot(body.surface_gradient[a], from_body) - farther * dot(fluid.gradient[a], body.normal));
         }
         const T behind_surface = max_of(T(0.0), min_of(T((1 / nearest) * depth), T(1.0)));
-        liquid.pressure = liquid.pressure - behind_surface * (fluid.density * dot(acceleration, from_body) -
-                                                              dot(subtracted, from_body));
+        liquid.pressure = liquid.pressure -
+                          behind_surface * (fluid.density * dot(acceleration, from_body) - dot(subtracted, from_body));
         return liquid;
     }
 

@@ -50,8 +50,7 @@ std::vector<PresentSurface> SpringNetwork<D>::surfaces(double dt, double reach) 
     for (std::size_t node = 0; node < ids_.size(); ++node) {
         surfaces[node].surface = surface_[node];
         if (within(reach, surface_[node]) && around[node].spans_space())
-            surfaces[node] =
-                carried<D>(surface_[node], around[node].to_rest(), around[node].velocity_gradient());
+            surfaces[node] = carried<D>(surface_[node], around[node].to_rest(), around[node].velocity_gradient());
     }
     return surfaces;
 }

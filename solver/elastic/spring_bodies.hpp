@@ -46,8 +46,8 @@ class SpringBodies {
     void number_particles(ParticleStore& particles) const;
     /// Writes the bodies' present velocities and surfaces to the store, as they start.
     void show_velocities(ParticleStore& particles) const;
-    /// Writes the surfaces in front of the bodies' particles to the store, with the gradient of their mean velocity over
-    /// the last advance, of dt; 0: of their present velocity.
+    /// Writes the surfaces in front of the bodies' particles to the store, with the gradient of their mean velocity
+    /// over the last advance, of dt; 0: of their present velocity.
     void show_surfaces(ParticleStore& particles, double dt) const;
     /// Applies the forces in the store to all bodies, then advances them by dt; writes their mean velocities to the
     /// store.

@@ -53,7 +53,7 @@ struct Measures::Rows {
     static constexpr auto all = std::to_array<MeasureRow<Measures, FluidMoment>>({
         {MeasureKind::flux,
          [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
-             return Values{self.flux(measure, moment.particles)};
+             return Values{self.flux(measure, moment)};
          }},
         {MeasureKind::gap,
          [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
@@ -166,24 +166,69 @@ double Measures::over_all_ranks(ExactSum sum) const {
     return sum.value();
 }
 
-double Measures::flux(const Measure& measure, const ParticleStore& particles) const {
+/// Two rows of particles stand to both sides of a strip, each a spacing thick, where its surface is nearer to the
+/// middle: what is beyond it is liquid (docs/elastic.md).
+std::vector<Measures::SheetLiquid> Measures::liquid_in_strips(const ParticleStore& particles) const {
+    std::vector<SheetLiquid> liquids;
+    const ParticleGroup& bodies = particles.of(PartKind::elastic);
+    const double row = space_.spacing;
+    for (std::size_t i = 0; i < bodies.owned() && bodies.has(Field::opposite_distance); ++i) {
+        const ParticleTag& tag = bodies.tags()[i];
+        const double depth = bodies.data(Field::wall_distance)[i], thickness = row / 2 - depth;
+        const bool is_strip = scene_.part_of_particles(space_.parts[tag.part].name).mass_per_length > 0;
+        if (!is_strip || !(thickness > 0)) continue;
+        SheetLiquid liquid{tag.id, {}, bodies.data(Field::volume)[i] * thickness / row};
+        for (int axis = 0; axis < space_.dimension; ++axis)
+            liquid.middle.at(static_cast<std::size_t>(axis)) =
+                bodies.data(Field::position, axis)[i] +
+                (depth + thickness / 2) * bodies.data(Field::wall_normal, axis)[i];
+        liquids.push_back(liquid);
+    }
+    return liquids;
+}
+
+double Measures::flux(const Measure& measure, const FluidMoment& moment) const {
     const Vec along = measure.to.value - measure.from.value;
     const double length = along.norm();
     const Vec tangent = along / length;
     const Vec normal(tangent[1], -tangent[0], 0);
     const Vec middle = 0.5 * (measure.from.value + measure.to.value);
     const double half_width = settings_.support;
-    const ParticleGroup& fluid = particles.fluid();
+    /// What a volume counts, by its place from the middle [1/m].
+    const auto weight = [&](const Vec& offset) {
+        const double across = std::abs(offset.dot(normal));
+        if (across >= half_width || std::abs(offset.dot(tangent)) > length / 2) return 0.0;
+        return (1 - across / half_width) / half_width;
+    };
+    const ParticleGroup& fluid = moment.particles.fluid();
     ExactSum sum;
     for_each_offset(fluid, middle, [&](std::size_t i, const Vec& offset) {
-        const double across = std::abs(offset.dot(normal));
-        if (across >= half_width || std::abs(offset.dot(tangent)) > length / 2) return;
         double speed = 0;
         for (int axis = 0; axis < space_.dimension; ++axis)
             speed += normal[axis] * fluid.data(Field::velocity, axis)[i];
-        sum.add(fluid.data(Field::volume)[i] * speed * (1 - across / half_width) / half_width);
+        sum.add(fluid.data(Field::volume)[i] * speed * weight(offset));
     });
-    return over_all_ranks(sum);
+    std::vector<SheetLiquid> beside_line;
+    for (const SheetLiquid& liquid : liquid_in_strips(moment.particles))
+        if (weight(nearest_image(Vec(liquid.middle[0], liquid.middle[1], liquid.middle[2]) - middle, space_)) > 0)
+            beside_line.push_back(liquid);
+    beside_line = ranks_.all_gather(beside_line);
+    double of_strips = 0;
+    std::ranges::sort(beside_line, {}, &SheetLiquid::id);
+    const std::vector<FluidValues> velocity =
+        beside_line.empty() ? std::vector<FluidValues>{}
+                            : FluidFields(scene_, moment.particles, moment.step).of(FluidField::velocity);
+    for (const SheetLiquid& liquid : beside_line) {
+        const Vec place(liquid.middle[0], liquid.middle[1], liquid.middle[2]);
+        const Probe probe(place, FluidField::velocity, moment.particles, moment.step, settings_, ranks_);
+        const std::vector<double> found = probe.of(velocity.front());
+        if (!probe.is_in_fluid()) continue;  // pressed against something
+        double speed = 0;
+        for (int axis = 0; axis < space_.dimension; ++axis)
+            speed += normal[axis] * found[static_cast<std::size_t>(axis)];
+        of_strips += liquid.volume * speed * weight(nearest_image(place - middle, space_));
+    }
+    return over_all_ranks(sum) + of_strips;
 }
 
 double Measures::kinetic_energy(const ParticleGroup& fluid) const {

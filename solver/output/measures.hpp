@@ -50,7 +50,14 @@ class Measures {
     template <class Visit>
     void for_each_offset(const ParticleGroup& fluid, const Vec& from, const Visit& visit) const;
     [[nodiscard]] double over_all_ranks(ExactSum sum) const;
-    [[nodiscard]] double flux(const Measure& measure, const ParticleStore& particles) const;
+    [[nodiscard]] double flux(const Measure& measure, const FluidMoment& moment) const;
+    /// Liquid that a particle of a thin strip stands in for.
+    struct SheetLiquid {
+        std::int64_t id;
+        std::array<double, 3> middle;  ///< of the liquid [m]
+        double volume;                 ///< [m^3]
+    };
+    [[nodiscard]] std::vector<SheetLiquid> liquid_in_strips(const ParticleStore& particles) const;
     [[nodiscard]] double kinetic_energy(const ParticleGroup& fluid) const;
     /// The columns of the field at each of the points. Throws InputError, with this location, when none finds fluid at
     /// first.

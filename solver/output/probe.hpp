@@ -12,8 +12,8 @@
 namespace dmp::solver {
 
 /// What a fluid field is at a point: of the linear function that fits best, weighted with volume and kernel, what the
-/// fluid particles within the kernel's support have. Where walls hold the fluid, the velocity of their surface counts
-/// as well, one sample a wall particle of the first row.
+/// fluid particles within the kernel's support have. Where walls or elastic bodies hold the fluid, the velocity of
+/// their surface counts as well, one sample a particle of the first row whose surface faces the point.
 class Probe {
   public:
     /// All ranks together.
@@ -32,15 +32,23 @@ class Probe {
         Vec x;  ///< from the point [m]
         double weight;
     };
+    struct SurfaceSample {
+        Vec x;  ///< from the point [m]
+        double weight;
+        Vec velocity;  ///< [m/s]
+    };
 
     void find_fluid(const Vec& point, double support);
     void find_walls(const Vec& point, double support);
+    void find_bodies(const Vec& point, double support);
+    void add_surface(const Vec& x, double volume, const Vec& velocity, double support);
     [[nodiscard]] Vec from_point(const ParticleGroup& group, std::size_t i, const Vec& point) const;
 
     const ParticleStore& particles_;
     const FluidStep& step_;
     const Ranks& ranks_;
-    std::vector<Sample> fluid_, walls_;
+    std::vector<Sample> fluid_;
+    std::vector<SurfaceSample> surfaces_;
     double nearest_;  ///< distance of the nearest fluid particle [m]
     LinearFit fit_;
 };
