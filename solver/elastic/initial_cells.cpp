@@ -21,11 +21,13 @@ void share_masses(BodyParts& parts, int dimension, bool may_tear) {
     std::vector<Vec> places;
     for (const BodyParts::Node& node : parts.nodes) places.push_back(node.rest_position);
     const CornerMasses masses = corner_masses(dimension, cells, places);
+    // What is clamped does not turn as a whole, and keeps its weight where its cells are.
+    const bool as_cells = may_tear || std::ranges::any_of(parts.nodes, &BodyParts::Node::fixed);
     for (std::size_t c = 0; c < cells.size(); ++c) cells[c].mass = parts.cells[c].drag;
     const std::vector<double> drag = shares_at_corners(dimension, cells, places.size());
     for (std::size_t n = 0; n < parts.nodes.size(); ++n) {
         BodyParts::Node& node = parts.nodes[n];
-        node.mass = may_tear ? masses.by_shape[n] : masses.mass[n];
+        node.mass = as_cells ? masses.by_shape[n] : masses.mass[n];
         node.drag = drag[n] * node.mass / masses.by_shape[n];
     }
 }

@@ -137,7 +137,7 @@ TEST(VeinValveMesh, AtItsOwnSpacing) {
                 1, 0.03);
     double mass = 0;
     for (const std::size_t i : all_of(set, PartKind::elastic)) mass += set.mass[i];
-    EXPECT_NEAR(mass / (0.42 * 2 * 17.5e-3), 1, 1e-12);  // the end columns have full mass
+    EXPECT_NEAR(mass / (0.42 * 2 * 17.5e-3), 1, 1e-12);
     EXPECT_EQ(set.periodic, (std::array{true, false, false}));
     EXPECT_EQ(set.box.low[0], -0.046);
     EXPECT_EQ(set.box.high[0], 0.046);
