@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "solver/store/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 
 namespace dmp::solver {
 
@@ -54,16 +54,16 @@ void spread_lowest_ids(ParticleStore& particles, Neighbours& neighbours, std::si
     for (bool changed = true; ranks.any(changed);) {
         of_root.assign(total + bodies, none);
         for (std::size_t k = 0; k < total + bodies; ++k) {
-            double& lowest = of_root[sets.root(k)];
+            double& lowest = of_root[sets.find(k)];
             lowest = std::min(lowest, k < total ? label[k] : of_body[k - total]);
         }
         changed = false;
         for (std::size_t i = 0; i < total; ++i) {
-            const double lowest = of_root[sets.root(i)];
+            const double lowest = of_root[sets.find(i)];
             changed = changed || lowest < label[i];
             label[i] = lowest;
         }
-        for (std::size_t b = 0; b < bodies; ++b) of_body[b] = -of_root[sets.root(total + b)];
+        for (std::size_t b = 0; b < bodies; ++b) of_body[b] = -of_root[sets.find(total + b)];
         ranks.largest(of_body);
         for (double& lowest : of_body) lowest = -lowest;
         neighbours.exchange(particles, {Field::chamber});

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "particles/cell_grid.hpp"
 #include "solver/neighbours/chambers.hpp"
-#include "solver/store/disjoint_sets.hpp"
 
 namespace dmp::solver {
 
@@ -43,7 +43,7 @@ std::int64_t chambers_at_start(const ParticleSet& set) {
             if (square < reach * reach) sets.join(i, source[static_cast<std::size_t>(j)]);
         });
     std::vector<std::int64_t> particles(count);
-    for (std::size_t i = 0; i < count; ++i) ++particles[sets.root(i)];
+    for (std::size_t i = 0; i < count; ++i) ++particles[sets.find(i)];
     const std::int64_t fewest = ChamberLinks::fewest_particles(set.dimension);
     return std::ranges::count_if(particles, [&](std::int64_t of_root) { return of_root >= fewest; });
 }

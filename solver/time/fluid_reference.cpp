@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "base/number_text.hpp"
-#include "solver/store/disjoint_sets.hpp"
 
 namespace dmp::solver {
 
@@ -85,13 +85,13 @@ void FluidReference::take_chambers(const FoundChambers& found, const ParticleSto
     if (!same) {
         const std::vector<double> volume = volumes_of(count, particles.fluid(), ranks);
         std::vector<double> target(before.size() + count), present(before.size() + count);  // by root
-        for (std::size_t c = 0; c < before.size(); ++c) target[sets.root(c)] += before[c].target();
-        for (std::size_t c = 0; c < count; ++c) present[sets.root(before.size() + c)] += volume[c];
+        for (std::size_t c = 0; c < before.size(); ++c) target[sets.find(c)] += before[c].target();
+        for (std::size_t c = 0; c < count; ++c) present[sets.find(before.size() + c)] += volume[c];
         std::vector<int> news(before.size() + count), olds(before.size() + count);
-        for (std::size_t c = 0; c < before.size(); ++c) ++olds[sets.root(c)];
-        for (std::size_t c = 0; c < count; ++c) ++news[sets.root(before.size() + c)];
+        for (std::size_t c = 0; c < before.size(); ++c) ++olds[sets.find(c)];
+        for (std::size_t c = 0; c < count; ++c) ++news[sets.find(before.size() + c)];
         for (std::size_t c = 0; c < count; ++c) {
-            const std::size_t root = sets.root(before.size() + c);
+            const std::size_t root = sets.find(before.size() + c);
             if (olds[root] == 1 && news[root] == 1) continue;  // keeps its ratio, to the last bit
             chambers_[c].ratio = volume[c] * target[root] / (present[root] * chambers_[c].rest_volume);
         }

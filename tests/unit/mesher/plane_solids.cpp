@@ -81,6 +81,27 @@ TEST(PlaneSolids, take_their_room_and_stretch_as_their_material_does) {
     EXPECT_NEAR(meshed.report.parts.at(0).volume_error(), 0, 1e-12);
 }
 
+TEST(PlaneSolids, know_where_their_drawn_surface_is) {
+    const ParticleSet set = mesh_texts(block).particles;
+    std::size_t outer = 0;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.kind(i) != PartKind::elastic) continue;
+        const Vec& x = set.position[i];
+        const SolidSurface surface = set.surface(i);
+        // The block reaches from 1.75 to 2.25 m along x and from 0 to 1 m along y.
+        const double sides = std::min(x[0] - 1.75, 2.25 - x[0]), ends = std::min(x[1], 1 - x[1]);
+        EXPECT_NEAR(surface.depth, std::min(sides, ends), 1e-12);
+        EXPECT_NEAR(surface.normal.norm(), 1, 1e-12);
+        const bool by_side = sides < ends - 1e-9;
+        outer += by_side ? 1 : 0;
+        if (by_side) {
+            EXPECT_NEAR(surface.normal[0], x[0] < 2 ? -1 : 1, 1e-9);
+            EXPECT_NEAR(surface.depth + surface.opposite, 0.5, 0.003);
+        }
+    }
+    EXPECT_GT(outer, 10U);
+}
+
 TEST(PlaneSolids, have_the_mass_of_what_is_drawn) {
     for (const double radius : {0.32, 0.4, 0.53}) {
         std::ostringstream points, lines;
