@@ -118,7 +118,7 @@ inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> m
         {"reduced_pressure", "Pa", scalar, false, "pressure level"},
         {"whole_pressure", "1", scalar, true, "pressure level"},
         {"level_force", "N", vector, false, "pressure level"},
-        {"chamber", "1", scalar, true, "closed chambers"},
+        {"chamber", "1", scalar, true, "pressure level"},
         {"transport_velocity", "m/s", vector, true, "transport velocity"},
         {"viscous_force", "N", vector, false, "implicit viscosity"},
         {"viscous_velocity", "m/s", vector, false, "implicit viscosity"},

@@ -199,7 +199,7 @@ std::optional<Warning> drift_warning(double drift) {
 }
 
 std::optional<Warning> chamber_warning(const ChamberDrift& chamber, int dimension) {
-    constexpr double most = 0.01;
+    constexpr double most = 0.05;
     if (!(std::abs(chamber.drift) > most)) return {};
     std::string place;
     for (int axis = 0; axis < dimension; ++axis)
@@ -208,7 +208,7 @@ std::optional<Warning> chamber_warning(const ChamberDrift& chamber, int dimensio
     warning.key = "numerics.scheme";
     warning.problem = "\"corrected\" kept the volume of the closed chamber at (" + place +
                       ") by taking a drift of its mean density of " + number_text(100 * chamber.drift, 2) +
-                      " % off, in steps: without that its pressure would be wrong by as much as the largest one";
+                      " % off, in steps: errors of the density rate are large in it";
     warning.what_to_do = "look for liquid that passes its walls, and compare with a smaller particles.spacing";
     return warning;
 }
