@@ -45,8 +45,8 @@ void past_sheet(const std::string& setting, double thickness, double bound) {
 }
 
 TEST(FlexibleSheets, HaveNoSlipWhereTheirMaterialEnds) {
-    past_sheet("sheet of a tenth of a spacing", 0.05e-3, 0.01);
-    past_sheet("sheet of half a spacing", 0.25e-3, 0.015);
+    past_sheet("sheet of a tenth of a spacing", 0.05e-3, 0.005);
+    past_sheet("sheet of half a spacing", 0.25e-3, 0.005);
     past_sheet("sheet of one spacing", 0.5e-3, 0.016);
     past_sheet("sheet of two spacings", 1e-3, 0.015);
 }

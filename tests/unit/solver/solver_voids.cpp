@@ -14,6 +14,7 @@
 #include "models/sph/void_closing.hpp"
 #include "solver/monitor/void_monitor.hpp"
 #include "tests/modules.hpp"
+#include "tests/unit/solver/small_scenes.hpp"
 #include "tests/unit/solver/water_beside_a_block.hpp"
 #include "tests/unit/thrown.hpp"
 
