@@ -32,6 +32,7 @@ struct SolidPoint {
     /// Rigid walls: of the surface's velocity; elastic solids: of their own, [a][b] = dv_a/dx_b [1/s].
     Vector<Vector<T, D>, D> surface_gradient = Vector<Vector<T, D>, D>::zero();
     T opposite = T(0.0);  ///< elastic solids: distance to the surface on the other side, against the normal [m]
+    T held = T(0.0);      ///< elastic solids: 1 where the body is clamped somewhere; otherwise 0
 };
 
 /// Two interacting particles; a law returns its effect on i. Every pair law is proportional to `slope`. The sweeps

@@ -92,7 +92,7 @@ std::vector<Key<Measure>> measure_keys() {
          "gap: the elastic solid between whose pieces the smallest distance is measured. velocity, spin: the part "
          "of spheres over which the mean is taken. detached: the part of the one sphere from which others may "
          "detach."},
-        {"between", {"gap"}, &Measure::between, one_of<GapBetween>(), "surfaces",
+        {"between", {"gap"}, &Measure::between, one_of<GapBetween>(), unwritten("surfaces"),
          "Between what of two pieces the gap is measured: \"surfaces\" of the material, \"middles\" between their two "
          "sides (of a strip or shell its curve or surface), or \"particles\"."},
         {"direction", detached, &Measure::direction, direction(), "[0, 0, 1]",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/simd/lanes.hpp"
 #include "models/pair.hpp"
 
 namespace dmp::models {
@@ -45,9 +46,10 @@ auto image_fluid_of(const S& solid, const F& fluid) {
 /// to the surface that the fluid particle is in front of, that with the particle's normal or the one opposite to it.
 /// Fluid that is in front of neither is beside an edge, or beside a surface that bends away; it sees a particle that is
 /// half a spacing behind the surface at most, itself half a spacing off. Particles without a normal are round. Where a
-/// body is thinner than its two rows of particles, its particles are in front of its surface: d_j < 0. The pressure
-/// continues as into walls, in full from half a spacing behind the surface on; in front of it, it is the fluid
-/// particle's. In the density rate the body's own velocity counts.
+/// body is thinner than its two rows of particles, its particles are in front of its surface: d_j < 0. Into bodies that
+/// are clamped the pressure continues as into walls, in full from half a spacing behind the surface on; in front of it,
+/// and in bodies that are free to move with the liquid, it is the fluid particle's. In the density rate the body's own
+/// velocity counts.
 ///
 /// `WithMotion`: walls may move, and may let the fluid slip. For a wall particle with acceleration a_j the pressure
 /// continues with rho_i (g - a_j) . (x_j - x_i) (Adami, Hu & Adams 2012). Where the fluid slips, only the normal part
@@ -126,9 +128,9 @@ struct ExtrapolatedSolid {
             liquid.velocity_by_gradient[a] =
                 ratio * (dot(body.surface_gradient[a], from_body) - farther * dot(fluid.gradient[a], body.normal));
         }
-        const T behind_surface = max_of(T(0.0), min_of(T((1 / nearest) * depth), T(1.0)));
-        liquid.pressure = liquid.pressure -
-                          behind_surface * (fluid.density * dot(acceleration, from_body) - dot(subtracted, from_body));
+        const T as_wall = body.held * max_of(T(0.0), min_of(T((1 / nearest) * depth), T(1.0)));
+        liquid.pressure =
+            liquid.pressure - as_wall * (fluid.density * dot(acceleration, from_body) - dot(subtracted, from_body));
         return liquid;
     }
 

@@ -46,6 +46,7 @@ class CellBody final : public SpringBody {
 
     [[nodiscard]] Vec velocity(std::size_t node) const override;
     [[nodiscard]] std::vector<PresentSurface> surfaces(double dt, double reach) const override;
+    [[nodiscard]] bool is_clamped() const override { return network_.is_clamped(); }
     [[nodiscard]] double free_mass() const override { return network_.free_mass(); }
     [[nodiscard]] Vec total_momentum() const override { return network_.total_momentum(); }
     [[nodiscard]] double energy() const override { return network_.energy(); }

@@ -203,18 +203,22 @@ void SpringBodies::show(ParticleStore& particles, Field field, const ValueOf& va
 
 void SpringBodies::show_velocities(ParticleStore& particles) const {
     show(particles, Field::velocity, [](const SpringBody& body, std::size_t node) { return body.velocity(node); });
-    show_surfaces(particles, 0);
 }
 
 void SpringBodies::show_surfaces(ParticleStore& particles, double dt) const {
     ParticleGroup& group = particles.of(PartKind::elastic);
     if (!group.has(Field::opposite_distance)) return;
     std::vector<std::vector<PresentSurface>> of_bodies;
-    for (const auto& body : bodies_) of_bodies.push_back(body->surfaces(dt, 4 * particles.space().spacing));
+    std::vector<bool> clamped;
+    for (const auto& body : bodies_) {
+        of_bodies.push_back(body->surfaces(dt, 4 * particles.space().spacing));
+        clamped.push_back(body->is_clamped());
+    }
     for (std::size_t i = 0; i < group.total(); ++i) {
         const auto& [surface, gradient] = of_bodies[nodes_[i].body][nodes_[i].index];
         group.data(Field::wall_distance)[i] = surface.depth;
         group.data(Field::opposite_distance)[i] = surface.opposite;
+        group.data(Field::held)[i] = clamped[nodes_[i].body] ? 1 : 0;
         for (int a = 0; a < dimension_; ++a) {
             group.data(Field::wall_normal, a)[i] = surface.normal[a];
             for (int b = 0; b < dimension_; ++b)

@@ -44,7 +44,7 @@ class SpringBodies {
     void find_nodes(const ParticleStore& particles);
     /// Sets the body numbers of the store's particles.
     void number_particles(ParticleStore& particles) const;
-    /// Writes the bodies' present velocities and surfaces to the store, as they start.
+    /// Writes the bodies' present velocities to the store, as they start.
     void show_velocities(ParticleStore& particles) const;
     /// Writes the surfaces in front of the bodies' particles to the store, with the gradient of their mean velocity
     /// over the last advance, of dt; 0: of their present velocity.

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -117,6 +118,10 @@ class SpringBody {
     /// last advance, of dt; 0: of the present velocity. Particles that are farther than `reach` from the surface are
     /// left out: no fluid sees them [m].
     [[nodiscard]] virtual std::vector<PresentSurface> surfaces(double dt, double reach) const = 0;
+    /// Whether a node is clamped, or a wall particle to which the body is bonded.
+    [[nodiscard]] virtual bool is_clamped() const {
+        return std::ranges::any_of(fixed_, [](auto f) { return f != 0; });
+    }
 
     /// Cauchy's stress at the corners of the particle's solid: xx, yy, zz, xy, yz, xz [Pa]; none where it consists of
     /// springs.

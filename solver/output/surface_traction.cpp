@@ -170,10 +170,7 @@ Eigen::Matrix3d SurfaceTraction::velocity_gradient(const std::vector<Near>& near
     solver.compute(basis);
     if (solver.rank() <= last) solver.compute(basis.leftCols(last));
     const Eigen::MatrixXd fitted = solver.solve(velocity) / reach;
-    const double no_slip = -0.5 / fluid_reach;  // s at the particle
-    const Eigen::RowVector3d curved =
-        solver.cols() > last ? Eigen::RowVector3d(2 * no_slip * fitted.row(last)) : Eigen::RowVector3d::Zero();
-    Eigen::Matrix3d gradient = (fitted.row(1) + curved).transpose() * normal.transpose();
+    Eigen::Matrix3d gradient = fitted.row(1).transpose() * normal.transpose();  // at the surface, s = 0
     gradient += fitted.row(2).transpose() * first.transpose();
     if (space_.dimension == 3) gradient += fitted.row(3).transpose() * second.transpose();
     return gradient;

@@ -147,7 +147,7 @@ class GradientSweep {
         for (const std::int32_t index : near.of(PartKind::elastic)) {
             const auto body = elastic_(index);
             const Vec separation = i.position - body.position, past = i.velocity - body.velocity;
-            add_solid<false>(i, solid_.springs(i, body, separation),
+            add_solid<false>(i, elastic_image(i, body, separation),
                              VelocityGradient::past_solid(past, turning, separation), sum);
         }
         return total(sum);
@@ -189,6 +189,14 @@ class GradientSweep {
         const Vec slides =
             VelocityGradient::past_sliding_wall(past, i.gradient, separation, wall.normal, wall.slip) - at_rest;
         return at_rest + wall.sliding * slides;
+    }
+
+    /// The pressure continues to an elastic particle as to a wall, whether its body is held or not.
+    template <class I, class Body>
+    [[nodiscard]] auto elastic_image(const I& i, const Body& body, const Vec& separation) const {
+        auto image = solid_.springs(i, body, separation);
+        image.pressure = i.pressure - i.density * dot(solid_.acceleration, separation);
+        return image;
     }
 
     void add_shift(const L& distance, const Vec& weighted, Vec& sum) const {

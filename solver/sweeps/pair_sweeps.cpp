@@ -47,9 +47,9 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
         if (settings.viscosity.implicit && group.kind() != PartKind::rigid)
             group.declare(
                 {Field::viscous_velocity, Field::viscous_residual, Field::viscous_direction, Field::viscous_diagonal});
-        if (group.kind() == PartKind::elastic && !with_state)
-            group.declare(
-                {Field::wall_normal, Field::wall_distance, Field::opposite_distance, Field::surface_gradient});
+        if (group.kind() == PartKind::elastic && (!with_state || settings.corrected))
+            group.declare({Field::wall_normal, Field::wall_distance, Field::opposite_distance, Field::held,
+                           Field::surface_gradient});
         if (group.kind() != PartKind::rigid) continue;
         group.declare({Field::wall_normal, Field::wall_distance});
         if (settings.walls.slip) group.declare({Field::wall_slip});

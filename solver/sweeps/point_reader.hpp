@@ -80,9 +80,10 @@ class FluidReader {
     std::array<const double*, D * D> gradient_{};
 };
 
-/// Reads particles of walls and elastic bodies (see BodyReader for where their surfaces count). `WithState`: also density and pressure (plain walls). `WithSurface`:
-/// also the wall's normal and depth (rigid particles of extrapolated walls). `WithMotion`: also the wall's slip,
-/// acceleration, motion, sliding and gradient of the surface's velocity, if the scene has them.
+/// Reads particles of walls and elastic bodies (see BodyReader for where their surfaces count). `WithState`: also
+/// density and pressure (plain walls). `WithSurface`: also the wall's normal and depth (rigid particles of extrapolated
+/// walls). `WithMotion`: also the wall's slip, acceleration, motion, sliding and gradient of the surface's velocity, if
+/// the scene has them.
 template <class L, int D, bool WithState, bool WithSurface, bool WithMotion = false>
 class SolidReader {
   public:
@@ -157,6 +158,7 @@ class BodyReader {
     explicit BodyReader(const ParticleGroup& bodies)
         : read_(bodies),
           opposite_(WithSurface ? bodies.data(Field::opposite_distance) : nullptr),
+          held_(WithSurface ? bodies.data(Field::held) : nullptr),
           gradient_(WithSurface ? axes_of<D * D>(bodies, Field::surface_gradient)
                                 : std::array<const double*, D * D>{}) {}
 
@@ -165,6 +167,7 @@ class BodyReader {
         auto point = read_(at);
         if constexpr (WithSurface) {
             point.opposite = load<L>(opposite_, at);
+            point.held = load<L>(held_, at);
             for (int k = 0; k < D * D; ++k) point.surface_gradient[k / D][k % D] = load<L>(gradient_[k], at);
         }
         return point;
@@ -172,7 +175,7 @@ class BodyReader {
 
   private:
     SolidReader<L, D, WithState, WithSurface> read_;
-    const double* opposite_;
+    const double *opposite_, *held_;
     std::array<const double*, D * D> gradient_;
 };
 

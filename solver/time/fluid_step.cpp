@@ -70,10 +70,9 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
         species_.emplace(scene, set, particles, settings, rest_density_, ranks);
         if (species_->conducts_in_solids()) neighbours_.list_within_solids();
     }
-    if (elastic_solids_start_moving(scene)) {
-        springs_.find_nodes(particles_);
-        springs_.show_velocities(particles_);
-    }
+    springs_.find_nodes(particles_);
+    if (elastic_solids_start_moving(scene)) springs_.show_velocities(particles_);
+    springs_.show_surfaces(particles_, 0);
     if (is_at_rest(scene)) at_rest_ = FluidExtremes{0, 1, 1};
 }
 

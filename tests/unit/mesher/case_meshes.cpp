@@ -67,6 +67,13 @@ void expect_a_sound_mesh(const Meshed& meshed, const std::string& fluid, int wal
             ASSERT_EQ(set.fixed[i], 0);
             ASSERT_EQ(set.body[i], -1);
         }
+        if (set.kind(i) == PartKind::elastic) {
+            const SolidSurface at = set.surface(i);
+            ASSERT_NEAR(at.normal.norm(), 1, 1e-12);
+            // A strip's two rows stand half a spacing off its middle.
+            ASSERT_NEAR((at.opposite - at.depth) / 2, set.spacing / 2, 0.02 * set.spacing);
+            continue;
+        }
         if (set.kind(i) != PartKind::rigid) {
             ASSERT_EQ(set.wall_normal[i], Vec(Vec::Zero()));
             ASSERT_EQ(set.wall_distance[i], 0);

@@ -25,6 +25,7 @@ TEST(ElasticSolidsAsWalls, shows_a_particle_that_is_its_own_surface_as_it_moves)
 Solid elastic_particle() {
     Solid body{{{0, 0}}, {{0.3, -0.2}}, 0.8, 1, 2, {{0, 1}}, 0.15};
     body.opposite = 0.25;
+    body.held = 1;
     return body;
 }
 
@@ -96,6 +97,9 @@ TEST(ElasticSolidsAsWalls, continues_the_pressure_into_what_is_behind_a_bodys_su
     body.depth = 0.025;  // half as far behind as the first row of a thick body
     EXPECT_NEAR(law.springs(fluid, body, fluid.position).pressure, fluid.pressure + 0.5 * 1000 * 10 * 0.4, 1e-9);
     body.depth = -0.02;
+    EXPECT_EQ(law.springs(fluid, body, fluid.position).pressure, fluid.pressure);
+    body.depth = 0.15;
+    body.held = 0;  // free to fall with the liquid
     EXPECT_EQ(law.springs(fluid, body, fluid.position).pressure, fluid.pressure);
 }
 

@@ -161,7 +161,7 @@ TEST_F(ForgedCheckpoint, WithABodyOfNoSolid) {
 }
 
 TEST_F(ForgedCheckpoint, WithSpringsBetweenNodesThatAreNotThere) {
-    constexpr std::size_t numbers_of_node = 6 + 3 + 4 * 3;
+    constexpr std::size_t numbers_of_node = 6 + 3 + 4 * 3 + 5;
     const auto nodes = static_cast<std::size_t>(Hdf5Reader(file_).array<double>("springs/bodies").at(1));
     forge<double>("springs/bodies", 2 + nodes * numbers_of_node + 1, 1e6);
     EXPECT_THAT(refusal(), HasSubstr("springs between nodes that are not there"));
