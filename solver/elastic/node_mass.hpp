@@ -22,7 +22,7 @@ std::vector<double> node_masses(const Scene& scene, const ParticleSet& set, doub
 /// Density of that liquid [kg/m^3], of several fluids the densest; 0: solids are not wet all around, or the scheme is
 /// the plain one, which takes masses as given, as the published studies do.
 inline double liquid_in_leaflets(const PairSettings& settings) {
-    return settings.subtracts_level && settings.dry_bodies.empty() ? settings.density.largest : 0;
+    return settings.subtracts_level && !settings.dry_bodies ? settings.density.largest : 0;
 }
 
 }  // namespace dmp::solver

@@ -13,6 +13,7 @@
 #include "solver/output/aggregates.hpp"
 #include "solver/output/make_frame.hpp"
 #include "solver/results/expected_steps.hpp"
+#include "solver/run/free_surface.hpp"
 #include "solver/run/models_in_use.hpp"
 #include "solver/run/sound_speed.hpp"
 #include "solver/run/starting_state.hpp"
@@ -62,7 +63,7 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
       measure_times_(time_between_rows(scene_)) {
     for (std::size_t i = 0; i < set.size(); ++i) ++count_[to_string(set.kind(i))];
     fill_store(scene_, set, particles_);
-    fill_whole_pressure(settings_.dry_bodies, particles_);
+    if (settings_.dry_bodies) fill_whole_pressure(dry_bodies(set, settings_.threads), particles_);
     fluid_.take_speed();
     scales_.diffusion_limit = fluid_.sweeps().diffusion_limit();
     at_start_ = conserved();

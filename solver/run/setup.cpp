@@ -73,7 +73,7 @@ double density_ratio(const Scene& scene) {
 /// closed chamber with it; through a periodic side liquid goes on, and its mean pressure is the scene's.
 bool keeps_volume(const Scene& scene, const PairSettings& settings) {
     const bool is_open = std::ranges::count(settings.periodic, true) > 0;
-    return !settings.walls.moving && scene.moving_shapes.empty() && (settings.dry_bodies.empty() || is_open);
+    return !settings.walls.moving && scene.moving_shapes.empty() && (!settings.dry_bodies || is_open);
 }
 
 bool is_by_summation(DensityModel density) {
@@ -157,7 +157,7 @@ PairSettings pair_settings(const Scene& scene, const ParticleSet& set, const Res
     settings.hydrostatic = settings.hydrostatic || settings.free_surface;
     settings.subtracts_level = settings.corrected && !settings.free_surface;
     // A solid that is wet on one side holds the whole pressure, not what is left of it.
-    if (settings.subtracts_level) settings.dry_bodies = dry_bodies(set, settings.threads);
+    settings.dry_bodies = settings.subtracts_level && !dry_bodies(set, settings.threads).empty();
     settings.keeps_volume = settings.subtracts_level && keeps_volume(scene, settings);
     settings.chambers = settings.keeps_volume && may_have_chambers(scene, set);
     return settings;
@@ -260,7 +260,8 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
                 diffusivity != nullptr && *part.enabled)
                 scales.diffusivity = std::max(scales.diffusivity, **diffusivity);
     if (settings.repulsion_strength > 0 && set.size() > 0) {
-        const double lightest = *std::min_element(set.mass.begin(), set.mass.end());
+        const std::vector<double> mass = node_masses(scene, set, liquid_in_leaflets(settings));
+        const double lightest = *std::min_element(mass.begin(), mass.end());
         const double range = scene.contact.range * scene.particles.spacing;
         scales.contact_limit = Repulsion{settings.repulsion_strength}.step_limit(range, lightest);
     }

@@ -38,7 +38,7 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
             group.declare({Field::mean_correction, Field::velocity_gradient, Field::density_gradient,
                            Field::next_density_gradient, Field::reduced_pressure, Field::off_walls});
         if (is_fluid && settings.corrected && settings.several_fluids) group.declare({Field::fluid_number});
-        if (group.kind() == PartKind::elastic && !settings.dry_bodies.empty())
+        if (group.kind() == PartKind::elastic && settings.dry_bodies)
             group.declare({Field::whole_pressure, Field::level_force});
         if (is_fluid && settings.chambers) group.declare({Field::chamber});
         if (contact) group.declare({Field::contact_range});

@@ -33,9 +33,8 @@ struct PairSettings {
     bool several_fluids = false;       ///< fluids differ in rest density or viscosity
     bool free_surface = false;         ///< corrected scheme: shifting vanishes where neighbours are missing
     bool subtracts_level = false;      ///< corrected scheme: forces are of pressures less a reference
-    /// By elastic body at the start, where the level is subtracted: it borders on nothing and feels the whole pressure;
-    /// empty: none does.
-    std::vector<bool> dry_bodies{};
+    /// Where the level is subtracted: some elastic bodies border on nothing at the start and feel the whole pressure.
+    bool dry_bodies = false;
     bool keeps_volume = false;  ///< where the level is subtracted: nothing moves that can change the fluid's volume
     bool chambers = false;      ///< of a volume that is kept: of each of several chambers, which there are or may be
 

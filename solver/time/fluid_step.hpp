@@ -118,7 +118,7 @@ class FluidStep {
         return settings_.shifting > 0 && (!settings_.corrected || settings_.free_surface);
     }
     [[nodiscard]] double particle_volume() const;
-    [[nodiscard]] bool has_dry_bodies() const { return !settings_.dry_bodies.empty(); }
+    [[nodiscard]] bool has_dry_bodies() const { return settings_.dry_bodies; }
     void sum_forces(double t, double dt);
     void add_outside_forces(double t, double dt);
     void solve_viscous_forces(double t, double dt);

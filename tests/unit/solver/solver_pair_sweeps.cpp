@@ -335,8 +335,9 @@ TEST(PairSweeps, declare_only_the_fields_they_need) {
         EXPECT_EQ(bare.of(kind).has(Field::density_rate), is_fluid);
         EXPECT_TRUE(plain.of(kind).has(Field::density_rate));
         EXPECT_EQ(bare.of(kind).has(Field::viscosity), is_fluid);
-        EXPECT_EQ(bare.of(kind).has(Field::wall_normal), is_wall);
-        EXPECT_EQ(bare.of(kind).has(Field::wall_distance), is_wall);
+        EXPECT_EQ(bare.of(kind).has(Field::wall_normal), !is_fluid);
+        EXPECT_EQ(bare.of(kind).has(Field::wall_distance), !is_fluid);
+        EXPECT_EQ(bare.of(kind).has(Field::opposite_distance), !is_fluid && !is_wall);
         EXPECT_FALSE(bare.of(kind).has(Field::shift));
         EXPECT_EQ(full.of(kind).has(Field::shift), is_fluid);
         EXPECT_FALSE(bare.of(kind).has(Field::contact_range));

@@ -378,8 +378,10 @@ TEST(Plan, lists_the_fields_of_each_kind_which_exist_only_where_they_are_needed)
         EXPECT_THAT(kinds_with(everywhere), ElementsAre("fluid", "rigid", "elastic")) << everywhere;
     for (const char* of_fluid : {"density, 8 bytes", "density_rate, 8 bytes", "viscosity, 8 bytes", "shift, 16 bytes"})
         EXPECT_THAT(kinds_with(of_fluid), ElementsAre("fluid")) << of_fluid;
-    for (const char* of_walls : {"wall_normal, 16 bytes", "wall_distance, 8 bytes"})
-        EXPECT_THAT(kinds_with(of_walls), ElementsAre("rigid")) << of_walls;
+    for (const char* of_surfaces : {"wall_normal, 16 bytes", "wall_distance, 8 bytes"})
+        EXPECT_THAT(kinds_with(of_surfaces), ElementsAre("rigid", "elastic")) << of_surfaces;
+    for (const char* of_bodies : {"opposite_distance, 8 bytes", "surface_gradient, 32 bytes"})
+        EXPECT_THAT(kinds_with(of_bodies), ElementsAre("elastic")) << of_bodies;
     EXPECT_THAT(kinds_with("wall_contact_range, 8 bytes"), ElementsAre("rigid", "elastic"));
 }
 
