@@ -133,7 +133,9 @@ TEST(SpringsInSpace, that_start_moving_are_the_same_bits_on_any_number_of_ranks)
     const RunSummary alone = run_on(made, Ranks::alone()), shared = run_on(made, ranks);
     EXPECT_GT(alone.start.momentum[0], 0);
     EXPECT_EQ(shared.start.momentum, alone.start.momentum);
-    EXPECT_LT(alone.momentum_residual, 1e-9);
+    // Liquid that was left out around the shell lets it border on nothing: something holds the level of the pressure.
+    EXPECT_NEAR(alone.end.momentum[0] - alone.impulse_of_fixed[0], alone.start.momentum[0],
+                1e-12 * alone.start.momentum[0]);
     if (ranks.is_first()) {
         EXPECT_EQ(shared.state_hash, alone.state_hash);
     }
