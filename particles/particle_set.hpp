@@ -125,13 +125,13 @@ struct SolidSurface {
 /// What the mesher hands on: particles, bonds and walls, as plain arrays. A particle's id is its index.
 struct ParticleSet : ParticleSpace {
     // one entry a particle
-    std::vector<Vec> position;          ///< [m]
-    std::vector<double> volume;         ///< volume it stands for in the SPH sums [m^2 x 1 m]
-    std::vector<double> mass;           ///< inertial mass [kg]
-    std::vector<int> part;              ///< index into parts
-    std::vector<int> body;              ///< connected piece of elastic solids, by way of walls too; -1: none
-    std::vector<std::uint8_t> fixed;    ///< 1: never moves (rigid walls, anchored ends)
-    std::vector<std::uint8_t> seated;   ///< 1: drawn touching a wall, so that the wall does not push it away
+    std::vector<Vec> position;         ///< [m]
+    std::vector<double> volume;        ///< volume it stands for in the SPH sums [m^2 x 1 m]
+    std::vector<double> mass;          ///< inertial mass [kg]
+    std::vector<int> part;             ///< index into parts
+    std::vector<int> body;             ///< connected piece of elastic solids, by way of walls too; -1: none
+    std::vector<std::uint8_t> fixed;   ///< 1: never moves (rigid walls, anchored ends)
+    std::vector<std::uint8_t> seated;  ///< 1: drawn touching a wall, so that the wall does not push it away
     /// Rigid and elastic: unit vector from the nearest surface outward; 0 in fluids, and in solids that are not drawn.
     std::vector<Vec> wall_normal;
     /// Rigid and elastic: distance to that surface, > 0 behind it [m]; in an elastic solid that is thinner than its two

@@ -15,15 +15,14 @@ void need_one_stiffness(const Part& part) {
                          "leave out cross_bonds");
     const bool as_strip = part.bending_stiffness.given() || part.axial_stiffness.given();
     // A thickness alone says where the surfaces of a strip of known stiffness are.
-    const bool as_material = part.youngs_modulus.given() || part.poisson_ratio.given() ||
-                             (part.thickness.given() && !as_strip);
+    const bool as_material =
+        part.youngs_modulus.given() || part.poisson_ratio.given() || (part.thickness.given() && !as_strip);
     const auto first = [](const auto& a, const auto& b) { return a.given() ? a.location : b.location; };
     if (as_strip && as_material)
-        throw InputError(
-            first(part.youngs_modulus, part.poisson_ratio),
-            part_name + " has its stiffness twice: as a strip, at " +
-                first(part.bending_stiffness, part.axial_stiffness).text() + ", and as a material",
-            "give bending_stiffness and axial_stiffness, or youngs_modulus, thickness and poisson_ratio");
+        throw InputError(first(part.youngs_modulus, part.poisson_ratio),
+                         part_name + " has its stiffness twice: as a strip, at " +
+                             first(part.bending_stiffness, part.axial_stiffness).text() + ", and as a material",
+                         "give bending_stiffness and axial_stiffness, or youngs_modulus, thickness and poisson_ratio");
     if (part.bending_stiffness.given() && part.axial_stiffness.given()) return;
     if (part.youngs_modulus.given() && part.thickness.given()) return;
     const char* missing = as_strip ? (part.bending_stiffness.given() ? "axial_stiffness" : "bending_stiffness")
