@@ -46,7 +46,7 @@ bool on_open_side(const Points& points, const ParticleSpace& space) {
     return false;
 }
 
-/// The point and its images across periodic sides and planes of symmetry: where a surface near a side is met from.
+/// The point and its images across periodic sides: where a surface near a side is met from.
 std::vector<Vec> images_of(const Vec& point, const ParticleSpace& space) {
     std::vector<Vec> images{point};
     for (int axis = 0; axis < space.dimension; ++axis) {
