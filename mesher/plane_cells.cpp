@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 
 #include "base/length_text.hpp"
@@ -12,6 +11,7 @@
 #include "mesher/particle_builder.hpp"
 #include "mesher/region_on_boxes.hpp"
 #include "mesher/relax.hpp"
+#include "mesher/room.hpp"
 #include "mesher/slits.hpp"
 #include "mesher/turned_lattice.hpp"
 
@@ -43,46 +43,6 @@ constexpr double added_from_wall = 0.5;
 constexpr int places_of_a_side = 8;
 
 using BoxIndex = std::array<int, 3>;
-
-/// The box of a lattice that a point lies in.
-BoxIndex box_at(const BoxLattice& boxes, const Vec& point) {
-    BoxIndex box{};
-    for (int axis = 0; axis < 2; ++axis)
-        box[axis] = static_cast<int>(std::floor((point[axis] - boxes.origin[axis]) / boxes.step[axis]));
-    return box;
-}
-
-/// How much room there is at places: the distance to the nearest particle, where one is in the boxes around.
-class Room {
-  public:
-    Room(const ParticleSpace& space, const BoxLattice& boxes, std::vector<Vec> places)
-        : space_(space),
-          boxes_(boxes),
-          places_(std::move(places)),
-          room_(places_.size(), std::numeric_limits<double>::infinity()) {
-        for (std::size_t k = 0; k < places_.size(); ++k) in_box_[box_at(boxes_, places_[k])].push_back(k);
-    }
-    void take(const Vec& point) {
-        const BoxIndex at = box_at(boxes_, point);
-        for (int n = 0; n < 9; ++n) {
-            const auto found = in_box_.find(boxes_.in_period({at[0] + n % 3 - 1, at[1] + n / 3 - 1, 0}));
-            if (found == in_box_.end()) continue;
-            for (const std::size_t k : found->second)
-                room_[k] = std::min(room_[k], nearest_image(point - places_[k], space_).norm());
-        }
-    }
-    [[nodiscard]] bool empty() const { return places_.empty(); }
-    [[nodiscard]] const Vec& widest() const {
-        return places_[static_cast<std::size_t>(std::ranges::max_element(room_) - room_.begin())];
-    }
-
-  private:
-    const ParticleSpace& space_;
-    const BoxLattice& boxes_;
-    std::vector<Vec> places_;
-    std::vector<double> room_;  ///< [m]
-    std::map<BoxIndex, std::vector<std::size_t>> in_box_;
-};
 
 /// Adds what another area fills of each cell's box.
 void fill_up(const RegionOnBoxes& with, const BoxLattice& boxes, SolidCells& cells) {
@@ -159,10 +119,11 @@ std::pair<std::size_t, double> ParticleBuilder::fill_beside_cells(const Part& pa
     for (const Vec& point : set.position) room.take(point);
     const double volume = lattice_.cell_area();
     std::size_t done = 0;
-    for (; done < added && !room.empty(); ++done) {
-        const Vec place = room.widest();
-        add_particle(number, {place, volume, volume * part.density, -1, false, Vec::Zero(), 0});
-        room.take(place);
+    for (; done < added; ++done) {
+        const auto place = room.widest();
+        if (!place) break;
+        add_particle(number, {*place, volume, volume * part.density, -1, false, Vec::Zero(), 0});
+        room.take(*place);
     }
     const double each = (static_cast<double>(count) + missing) / static_cast<double>(count + done);
     for (std::size_t i = 0; i < set.size(); ++i)

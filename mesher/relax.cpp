@@ -36,7 +36,8 @@ void relax(ParticleSet& set, double support, const std::function<bool(std::size_
     const WendlandC2<D> kernel(support);
     const double inverse_at_spacing = 1 / kernel.value(set.spacing);
     const bool keeps_away = D == 3 || !set.cells.empty();
-    const double nearest_allowed = D == 3 ? keep_from_nodes : keep_from_cells;
+    const bool all_are_cells = set.cells.size() == set.count(PartKind::elastic);
+    const double nearest_allowed = D == 3 && !all_are_cells ? keep_from_nodes : keep_from_cells;
     const std::vector<std::size_t> moving = fluid_near_bodies(set, moving_zone * support);
     std::vector<Vec> step(moving.size());
     for (int iteration = 0; iteration < iterations; ++iteration) {

@@ -11,7 +11,7 @@ namespace dmp::mesher {
 /// In 3-D a layer sinks into the gaps of the next, and fluid so far into those of a body that contact would throw it
 /// out: fluid keeps this distance from a body's nodes [spacings].
 constexpr double keep_from_nodes = 0.9;
-/// In 2-D, where liquid fills what solids of cells leave of a box: from their particles [spacings].
+/// Where liquid fills what solids of cells leave of a box: from their particles [spacings].
 constexpr double keep_from_cells = 0.7;
 
 /// Moves fluid particles near spring bodies until they are evenly spread: where a slanted body cuts the lattice,

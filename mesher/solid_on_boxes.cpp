@@ -116,6 +116,8 @@ void SolidOnBoxes::join_ends(const std::array<int, 2>& box, const std::vector<St
 }
 
 Filling SolidOnBoxes::filling(const std::array<int, 3>& box) const {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (box[axis] < first_[axis] || box[axis] >= last_[axis]) return {};
     const Sums& sums = sums_[number(box)];
     // Of a solid that only touches the box there is no centroid.
     if (!(sums.length > 1e-9 * lines_across * lines_across * lattice_.step[0])) return {};
@@ -127,6 +129,12 @@ Filling SolidOnBoxes::filling(const std::array<int, 3>& box) const {
         moment[axis] += strip * strip / 12;
     }
     return {sums.length * across, lattice_.middle(box) + centroid, moment.cwiseMax(0.0)};
+}
+
+double SolidOnBoxes::volume() const {
+    double length = 0;
+    for (const Sums& sums : sums_) length += sums.length;
+    return length * lattice_.step[1] * lattice_.step[2] / (lines_across * lines_across);
 }
 
 SolidCells SolidOnBoxes::cells() const {

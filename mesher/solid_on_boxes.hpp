@@ -17,6 +17,12 @@ class SolidOnBoxes {
     SolidOnBoxes(const TriangleSurface& surface, const BoxLattice& lattice);
 
     [[nodiscard]] SolidCells cells() const;
+    /// What of the solid is in a box; nothing in one that it does not reach.
+    [[nodiscard]] Filling filling(const std::array<int, 3>& box) const;
+    /// Of all boxes [m^3].
+    [[nodiscard]] double volume() const;
+    /// The boxes that it reaches: from the first to before the last.
+    [[nodiscard]] std::array<std::array<int, 3>, 2> boxes() const { return {first_, last_}; }
 
   private:
     /// Of the solid in one box, from its middle.
@@ -35,7 +41,6 @@ class SolidOnBoxes {
     void join_boxes(const std::array<int, 2>& box, int axis, const std::vector<Stretch>& last,
                     const std::vector<Stretch>& next);
     void join_ends(const std::array<int, 2>& box, const std::vector<Stretch>& inside);
-    [[nodiscard]] Filling filling(const std::array<int, 3>& box) const;
 
     BoxLattice lattice_;
     std::array<int, 3> first_{}, last_{};  ///< boxes that the surface reaches; `last_` is left out

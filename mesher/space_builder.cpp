@@ -221,13 +221,15 @@ void SpaceBuilder::add_fluid(const Part& part) {
         throw InputError(scene_.particles.spacing.location,
                          "no particle of '" + part.name.value + "' fits into its solid at this spacing",
                          "refine particles.spacing, or check geometry.unit");
+    const Added beside = fills_beside_cells() ? fill_beside_cells(part, number) : Added{};
     MeshReport::PartLine line;
     line.name = part.name;
     line.kind = to_string(PartKind::fluid);
-    line.particles = count;
+    line.particles = count + beside.particles;
     const std::size_t taken = taken_[static_cast<std::size_t>(fluid)];
-    line.target = geometry_.solid(part.name)->volume() - static_cast<double>(taken) * lattice_->cell_volume();
-    line.reached = static_cast<double>(count) * lattice_->cell_volume();
+    line.target = geometry_.solid(part.name)->volume() -
+                  static_cast<double>(taken - beside.left_points) * lattice_->cell_volume();
+    line.reached = static_cast<double>(count) * lattice_->cell_volume() + beside.volume;
     line.unit = "m^3";
     result_.report.parts.push_back(line);
     if (taken > 0)

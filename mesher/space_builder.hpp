@@ -12,9 +12,11 @@
 #include "mesher/fit_particles.hpp"
 #include "mesher/mesh.hpp"
 #include "mesher/solid_cells.hpp"
+#include "mesher/solid_on_boxes.hpp"
 #include "mesher/space_lattice.hpp"
 #include "mesher/spring_bodies.hpp"
 #include "mesher/uses.hpp"
+#include "mesher/vacancy.hpp"
 
 namespace dmp::mesher {
 
@@ -110,6 +112,21 @@ class SpaceBuilder {
     [[nodiscard]] const TriangleSurface* anchor_of(const Part& part) const;
     void clamp_cells(const Part& part, SolidCells& cells) const;
     void add_cells(SpringSolid& solid, int part, MeshReport::SpringLine& line);
+    /// Whether liquid is to fill what solids of cells leave of the boxes that their surface cuts.
+    [[nodiscard]] bool fills_beside_cells() const;
+    /// What was added beside cells.
+    struct Added {
+        std::size_t particles = 0;
+        double volume = 0;            ///< more than lattice points have [m^3]
+        std::size_t left_points = 0;  ///< drawn as liquid that cells' boxes have
+    };
+    /// Adds the liquid that lattice points leave out there, and gives all particles of the part an equal share of its
+    /// volume.
+    Added fill_beside_cells(const Part& part, int number);
+    struct CutBox;
+    [[nodiscard]] std::vector<CutBox> boxes_cut_by_cells(const BoxLattice& boxes,
+                                                         const std::vector<SolidOnBoxes>& solids, int fluid) const;
+    void look_into(CutBox& cut, const BoxLattice& boxes, const Vacancy& vacancy, int fluid) const;
     /// False where the solid is thick enough for cells; throws InputError where it is thin, and no sheet.
     bool take_as_sheet(const Part& part, const Solid& solid);
     void clear_for_shell(const TriangleSurface& sheet);
