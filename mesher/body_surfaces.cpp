@@ -12,6 +12,7 @@
 #include "geometry/inside_test.hpp"
 #include "geometry/nearest_curve.hpp"
 #include "geometry/nearest_triangle.hpp"
+#include "mesher/spring_lattice.hpp"
 
 namespace dmp::mesher {
 
@@ -189,10 +190,12 @@ void find_surface_of_sheet(ParticleSet& set, int part, double thickness,
         if (set.part[i] != part) continue;
         const auto middle = nearest_of_middle(set.position[i]);
         if (!middle) continue;
-        const Vec off = nearest_image(set.position[i] - *middle, set);
+        Vec off = nearest_image(set.position[i] - *middle, set);
         const double height = off.norm();
-        if (height < on_surface * set.spacing) continue;
-        set_surface(set, i, {off / height, thickness / 2 - height, thickness / 2 + height});
+        // The middle one of an odd number of rows, which follow one another across the strip, has two surfaces.
+        const bool is_in_the_middle = height < on_surface * set.spacing;
+        if (is_in_the_middle) off = nearest_image(set.position[i - 1] - set.position[i], set);
+        set_surface(set, i, {off.normalized(), thickness / 2 - height, thickness / 2 + height});
     }
 }
 
@@ -213,25 +216,28 @@ void find_surface_of_sheet(ParticleSet& set, int part, double thickness, const S
     }
 }
 
-/// As thick as its two rows of particles at most; says so where that is not the material's thickness.
+/// As thick as its rows of particles at most; says so where that is not the material's thickness.
 double thickness_of_rows(const Sheet& sheet, double spacing, MeshReport& report) {
-    const double rows = 2 * spacing;
+    const StripRows rows =
+        report.dimension == 3 ? StripRows{2, spacing} : strip_rows(*sheet.part, sheet.thickness, spacing);
     const std::string name = *sheet.part->name;
-    if (sheet.thickness <= (1 + 1e-9) * rows) {
-        report.notes.push_back(name + ": its surfaces are " + length_text(sheet.thickness) + " apart" +
-                               (sheet.part->thickness.given() || report.dimension == 3
-                                    ? ""
-                                    : ", by its mass_per_length and the liquid's density; `thickness` sets it"));
+    const bool is_given = sheet.part->thickness.given() || report.dimension == 3;
+    if (sheet.thickness <= (1 + 1e-9) * rows.thickness()) {
+        report.notes.push_back(
+            name + ": its surfaces are " + length_text(sheet.thickness) + " apart" +
+            (is_given ? "" : ", by its mass_per_length and the liquid's density; `thickness` sets it") +
+            (rows.count > 2 ? ", on " + std::to_string(rows.count) + " rows of particles" : ""));
         return sheet.thickness;
     }
     report.warnings.push_back(
         name + ": is " + length_text(sheet.thickness) + " thick" +
-        (sheet.part->thickness.given() || report.dimension == 3 ? ""
-                                                                : " by its mass_per_length and the liquid's density") +
-        ", and liquid flows past its two rows of particles as if it were " + length_text(rows) + "; draw it as " +
-        (report.dimension == 3 ? "a volume" : "an area") + ", or take a larger particles.spacing" +
-        (report.dimension == 3 ? "" : ", or give its `thickness`"));
-    return rows;
+        (is_given ? "" : " by its mass_per_length and the liquid's density") +
+        ", and liquid flows past its two rows of particles as if it were " + length_text(rows.thickness()) +
+        (report.dimension == 3 ? "; draw it as a volume, or take a larger particles.spacing"
+                               : "; leave out cross_bonds and shear_stiffness, draw it as an area, or take a larger "
+                                 "particles.spacing") +
+        (is_given ? "" : ", or give its `thickness`"));
+    return rows.thickness();
 }
 
 }  // namespace

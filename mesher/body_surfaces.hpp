@@ -21,7 +21,7 @@ double strip_thickness(const Part& strip, const Scene& scene);
 
 /// Gives each elastic particle the surface of its solid in front of it (SolidSurface): the drawn outline of an area or
 /// a volume, without what lies on periodic sides and planes of symmetry, where the solid goes on; of a sheet half its
-/// thickness from its middle. Notes how thick sheets are, and warns of those that are thicker than their two rows.
+/// thickness from its middle. Notes how thick sheets are, and warns of those that are thicker than their rows.
 void find_body_surfaces(const Geometry& geometry, const Scene& scene, const std::vector<Sheet>& sheets,
                         MeshResult& result);
 

@@ -181,24 +181,26 @@ void ParticleBuilder::add_fluid(const Part& part) {
     const Region& region = *geometry_.region(part.name);
     const int number = add_part(part, PartKind::fluid);
     const double volume = lattice_.cell_area();
-    const bool is_filled = fills_beside_cells();
-    std::size_t count = 0, left_out = 0, by_cells = 0;
+    const bool is_filled = fills_beside_bodies();
+    std::size_t count = 0, left_out = 0, by_bodies = 0;
     for (const Vec& point : lattice_.points(0)) {
         ++candidates_;
         if (fluid_at(point) != &part) continue;
         if (!clear_of_bodies(point)) {
             ++left_out;
-            by_cells += is_filled && body_curves_.nearest(point).distance >= spacing_ ? 1 : 0;
+            by_bodies += is_filled && !is_in_a_thin_strip(point) ? 1 : 0;
             continue;
         }
         add_particle(number, {point, volume, volume * part.density, -1, false, Vec::Zero(), 0});
         ++count;
     }
     double filled = static_cast<double>(count) * volume;
+    double of_strips = 0;
     if (is_filled) {
-        const auto [added, beside] = fill_beside_cells(part, number);
-        count += added;
-        filled += beside;
+        const Filled beside = fill_beside_bodies(part, number);
+        count += beside.particles;
+        filled += beside.area;
+        of_strips = beside.of_strips;
     }
     if (count == 0)
         throw InputError(scene_.particles.spacing.location,
@@ -208,7 +210,7 @@ void ParticleBuilder::add_fluid(const Part& part) {
     line.name = part.name;
     line.kind = to_string(PartKind::fluid);
     line.particles = count;
-    line.target = region.area() - static_cast<double>(left_out - by_cells) * volume;
+    line.target = region.area() - static_cast<double>(left_out - by_bodies) * volume - of_strips;
     line.reached = filled;
     line.unit = "m^2";
     result_.report.parts.push_back(line);
@@ -302,8 +304,27 @@ bool ParticleBuilder::is_in_a_solid(const Vec& point) const {
                                [&](const SpringSolid& solid) { return solid.region.side_of(point) == Side::inside; });
 }
 
+bool ParticleBuilder::is_in_a_strip(const Vec& point) const {
+    const double beside = fills_beside_bodies() ? 0.5 * (1 - 1e-6) * spacing_ : 0;
+    return std::ranges::any_of(strips_, [&](const Strip& strip) {
+        return strip.curve.nearest(point).distance < strip.half + (strip.is_thick ? beside : 0);
+    });
+}
+
+bool ParticleBuilder::is_in_a_thin_strip(const Vec& point) const {
+    return std::ranges::any_of(strips_, [&](const Strip& strip) {
+        return !strip.is_thick && strip.curve.nearest(point).distance < strip.half;
+    });
+}
+
+bool ParticleBuilder::is_in_an_outline(const Vec& point) const {
+    return std::ranges::any_of(strips_, [&](const Strip& strip) {
+        return strip.is_thick && strip.curve.nearest(point).distance < strip.half;
+    });
+}
+
 bool ParticleBuilder::clear_of_bodies(const Vec& point) const {
-    if (body_curves_.nearest(point).distance < spacing_) return false;
+    if (is_in_a_strip(point)) return false;
     return !nodes_.any_near(point, keep_from_nodes * spacing_, [](const auto& node) { return node.of_a_solid; });
 }
 

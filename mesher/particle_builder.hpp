@@ -31,10 +31,10 @@ class ParticleBuilder {
   public:
     ParticleBuilder(const Geometry& geometry, const Scene& scene);
 
-    /// Two rows of nodes along each curve, with bonds along and across and four hinges or two diagonals a cell; of a
+    /// Rows of nodes along each curve, with bonds along and across and four hinges or two diagonals a cell; of a
     /// region the lattice points in it, with the springs of each cell. Clamped at the anchors.
     void add_elastic(const Part& part);
-    /// Lattice points inside the region, outside the bodies: a body takes up one spacing on both sides of its curve.
+    /// Lattice points inside the region, outside the bodies: a strip takes up half its rows on both sides of its curve.
     /// Points on the border of two fluids belong to the first of them.
     void add_fluid(const Part& part);
     /// Lattice points outside all fluid, at most `layers` spacings behind the curve, that do not overlap a body. Where
@@ -43,7 +43,7 @@ class ParticleBuilder {
     /// True where the point belongs to the region of fluid particle i.
     [[nodiscard]] bool holds(std::size_t i, const Vec& point) const;
 
-    /// True where no spring body stands: at least one spacing from their curves, and not next to a solid's nodes.
+    /// True where no spring body stands: outside of strips' rows, and not next to a solid's nodes.
     [[nodiscard]] bool clear_of_bodies(const Vec& point) const;
 
     /// Moves the fluid from the lattice to places at random that keep their distance.
@@ -82,6 +82,14 @@ class ParticleBuilder {
         Projection surface;
     };
 
+    /// A curve with rows of particles to both sides.
+    struct Strip {
+        CurveSet curve;
+        double half;       ///< as far as the rows reach [m]
+        bool is_thick;     ///< more than two spacings, as its material is
+        Region outline{};  ///< what the rows fill, where it is thick
+    };
+
     /// A region of springs, or of cells.
     struct SpringSolid {
         const Part* part;
@@ -102,18 +110,27 @@ class ParticleBuilder {
     void claim_cells(SpringSolid& solid, const Region& region);
     void add_solid(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
     void add_cells(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
-    /// Whether liquid is to fill what solids of cells leave of the boxes that their surface cuts.
-    [[nodiscard]] bool fills_beside_cells() const;
+    /// Whether liquid is to fill what solids of cells and thick strips leave of the boxes that their surface cuts.
+    [[nodiscard]] bool fills_beside_bodies() const;
+    struct Filled {
+        std::size_t particles = 0;
+        double area = 0;       ///< of liquid more than lattice points have [m^2]
+        double of_strips = 0;  ///< drawn as liquid, of thick strips [m^2]
+    };
     /// Adds the liquid that lattice points leave out there, and gives all particles of the part an equal share of its
-    /// volume. Returns how many particles and how much volume it has added [m^2].
-    std::pair<std::size_t, double> fill_beside_cells(const Part& part, int number);
-    [[nodiscard]] std::vector<Vec> places_beside_cells(const Part& part, const std::vector<Vec>& corners) const;
+    /// volume.
+    Filled fill_beside_bodies(const Part& part, int number);
+    [[nodiscard]] std::vector<Vec> places_beside_bodies(const Part& part, const std::vector<Vec>& corners) const;
     void add_unbonded(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
     void clamp_cells(const Part& part, SolidCells& cells) const;
     [[nodiscard]] std::vector<bool> anchored_nodes(const Part& part, const std::vector<Vec>& nodes) const;
     [[nodiscard]] Vec lattice_step() const { return {lattice_.step()[0], lattice_.step()[1], 0}; }
     /// Whether a curve ends a period from where it begins.
     [[nodiscard]] bool goes_on_through_a_side(const Polyline& curve) const;
+    /// Within a strip's rows; also half a spacing beside a thick one where fill_beside_bodies() brings liquid.
+    [[nodiscard]] bool is_in_a_strip(const Vec& point) const;
+    [[nodiscard]] bool is_in_a_thin_strip(const Vec& point) const;
+    [[nodiscard]] bool is_in_an_outline(const Vec& point) const;
     void add_ladder(const Part& part, int part_number, const Polyline& curve, MeshReport::SpringLine& line);
     /// Where a piece of an elastic solid is clamped: at named points, or at its ends that lie on a curve.
     [[nodiscard]] std::vector<Vec> anchors_of(const Part& part, const Polyline& curve) const;
@@ -133,7 +150,7 @@ class ParticleBuilder {
     Lattice lattice_;
     std::vector<Fluid> fluids_;
     std::vector<Wall> walls_;
-    CurveSet body_curves_;
+    std::vector<Strip> strips_;
     std::vector<SpringSolid> solids_;
     NodesOfBodies nodes_;
     int bodies_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <list>
 #include <set>
 
 #include "base/length_text.hpp"
@@ -61,13 +62,13 @@ void fill_up(const RegionOnBoxes& with, const BoxLattice& boxes, SolidCells& cel
 
 }  // namespace
 
-std::vector<Vec> ParticleBuilder::places_beside_cells(const Part& part, const std::vector<Vec>& corners) const {
+std::vector<Vec> ParticleBuilder::places_beside_bodies(const Part& part, const std::vector<Vec>& corners) const {
     std::vector<Vec> places;
     for (const Vec& corner : corners)
         for (int n = 0; n < places_of_a_side * places_of_a_side; ++n) {
             const Vec within(n % places_of_a_side + 0.5, n / places_of_a_side + 0.5, 0);
             const Vec place = corner + within.cwiseProduct(lattice_step()) / places_of_a_side;
-            if (fluid_at(place) != &part || is_in_a_solid(place)) continue;
+            if (fluid_at(place) != &part || is_in_a_solid(place) || is_in_an_outline(place)) continue;
             if (nodes_.any_near(place, keep_from_cells * spacing_)) continue;
             const auto [wall, surface] = wall_at(place);
             if (wall < 0 || surface.distance >= added_from_wall * spacing_) places.push_back(place);
@@ -75,16 +76,19 @@ std::vector<Vec> ParticleBuilder::places_beside_cells(const Part& part, const st
     return places;
 }
 
-bool ParticleBuilder::fills_beside_cells() const {
-    return !solids_.empty() && *scene_.particles.arrangement == Arrangement::square &&
-           *scene_.particles.fill == FillKind::lattice &&
+bool ParticleBuilder::fills_beside_bodies() const {
+    return (!solids_.empty() || std::ranges::any_of(strips_, &Strip::is_thick)) &&
+           *scene_.particles.arrangement == Arrangement::square && *scene_.particles.fill == FillKind::lattice &&
            std::ranges::all_of(solids_, [](const SpringSolid& solid) { return solid.cells.has_value(); });
 }
 
-std::pair<std::size_t, double> ParticleBuilder::fill_beside_cells(const Part& part, int number) {
+ParticleBuilder::Filled ParticleBuilder::fill_beside_bodies(const Part& part, int number) {
     ParticleSet& set = result_.particles;
     const BoxLattice boxes = boxes_of(set, lattice_step());
     const RegionOnBoxes liquid(*geometry_.region(part.name), boxes);
+    std::list<RegionOnBoxes> strips;
+    for (const Strip& strip : strips_)
+        if (strip.is_thick) strips.emplace_back(strip.outline, boxes);
     std::set<BoxIndex> taken, looked_at;
     std::size_t count = 0;
     for (std::size_t i = 0; i < set.size(); ++i)
@@ -92,11 +96,15 @@ std::pair<std::size_t, double> ParticleBuilder::fill_beside_cells(const Part& pa
             taken.insert(box_at(boxes, set.position[i]));
             ++count;
         }
-    double missing = 0;  // [boxes]
+    double missing = 0, of_strips = 0;  // [boxes]
     std::vector<Vec> corners;
     const auto look_at = [&](const BoxIndex& box, const RegionOnBoxes& drawn) {
         if (!looked_at.insert(box).second) return;
-        const double share = liquid.filling(box).volume / boxes.volume();
+        const double with_strips = liquid.filling(box).volume / boxes.volume();
+        double share = with_strips;
+        for (const RegionOnBoxes& strip : strips) share -= strip.filling(box).volume / boxes.volume();
+        share = std::max(0.0, share);
+        of_strips += with_strips - share;
         if (share > 0) corners.push_back(boxes.corner(box));
         const bool is_left_out = !taken.contains(box) && fluid_at(boxes.middle(box)) == &part;
         if (is_left_out || drawn.filling(box).volume > 0) missing += share - (taken.contains(box) ? 1 : 0);
@@ -114,8 +122,15 @@ std::pair<std::size_t, double> ParticleBuilder::fill_beside_cells(const Part& pa
                 if (const BoxIndex box{x, y, 0}; !looked_at.contains(box) && drawn.filling(box).volume > 0)
                     look_at(box, drawn);
     }
+    for (const RegionOnBoxes& strip : strips) {
+        const auto [first, last] = strip.boxes();
+        for (int y = first[1] - 1; y <= last[1]; ++y)
+            for (int x = first[0] - 1; x <= last[0]; ++x)
+                if (const BoxIndex box{x, y, 0}; strip.filling(box).volume > 0 || is_in_a_strip(boxes.middle(box)))
+                    look_at(boxes.in_period(box), strip);
+    }
     const auto added = static_cast<std::size_t>(std::max(0L, std::lround(missing)));
-    Room room(set, boxes, places_beside_cells(part, corners));
+    Room room(set, boxes, places_beside_bodies(part, corners));
     for (const Vec& point : set.position) room.take(point);
     const double volume = lattice_.cell_area();
     std::size_t done = 0;
@@ -131,7 +146,7 @@ std::pair<std::size_t, double> ParticleBuilder::fill_beside_cells(const Part& pa
             set.volume[i] *= each;
             set.mass[i] *= each;
         }
-    return {done, missing * volume};
+    return {done, missing * volume, of_strips * volume};
 }
 
 void ParticleBuilder::claim_cells(SpringSolid& solid, const Region& region) {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/number_text.hpp"
+#include "mesher/body_surfaces.hpp"
 #include "mesher/particle_builder.hpp"
 #include "mesher/spring_bodies.hpp"
 #include "mesher/spring_lattice.hpp"
@@ -17,6 +18,22 @@ namespace {
 /// The end of a curve so near to another lies on it; a solid's node so near to its anchor is clamped, as the first
 /// layer stands half a spacing from the surface, and the nearest to a point, which may be missing a cell [spacings].
 constexpr double touching = 0.1, clamped_within = 0.75, nearest_within = 1.5;
+
+/// What is within `half` of an open curve, without what is beyond its ends; in pieces `along` long [m].
+Region outline_of(const Polyline& curve, double along, double half) {
+    Polyline right, left;
+    const double length = curve.length();
+    const auto pieces = std::lround(length / along);
+    for (long n = 0; n <= pieces; ++n) {
+        const auto [point, tangent] = curve.at(std::min(length, static_cast<double>(n) * along));
+        const Vec to_left(-tangent[1], tangent[0], 0);
+        right.points.emplace_back(point - half * to_left);
+        left.points.emplace_back(point + half * to_left);
+    }
+    right.points.insert(right.points.end(), left.points.rbegin(), left.points.rend());
+    right.closed = true;
+    return {"", {right}};
+}
 
 /// Signed angle from arm a to arm b.
 double angle_between(const Vec& a, const Vec& b) { return std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b)); }
@@ -165,9 +182,10 @@ void ParticleBuilder::add_elastic(const Part& part) {
         const bool lowered = line.axial_stiffness < line.axial_stiffness_asked;
         // In tension the part is so many times as soft, or as stiff.
         const double ratio = line.axial_stiffness / line.axial_stiffness_asked;
+        const StripRows strip = strip_rows(part, strip_thickness(part, scene_), spacing_);
         text << part.name.value << ": EA " << (lowered ? "lowered" : "raised") << " from " << line.axial_stiffness_asked
-             << " to " << line.axial_stiffness << " N, " << number_text(100 * ratio, 3)
-             << " % of that, so that two rows " << spacing_ << " m apart can "
+             << " to " << line.axial_stiffness << " N, " << number_text(100 * ratio, 3) << " % of that, so that "
+             << (strip.count == 2 ? "two" : std::to_string(strip.count)) << " rows " << strip.apart << " m apart can "
              << (part.shear_stiffness.given() ? "hold GA"
                  : lowered                    ? "bend as softly as EI asks"
                                               : "resist shear by cross bonds")
@@ -191,9 +209,11 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
         throw InputError(part.name.location,
                          "'" + part.name.value + "' has a closed curve, and springs run along open ones only",
                          "leave a gap in the curve in the geometry");
-    Ladder ladder = ladder_along(curve, spacing_);
+    const StripRows strip = strip_rows(part, strip_thickness(part, scene_), spacing_);
+    const int rows = strip.count;
+    Ladder ladder = ladder_along(curve, spacing_, strip);
     const bool goes_on = goes_on_through_a_side(curve);
-    if (goes_on) ladder.nodes.resize(ladder.nodes.size() - 2);  // the last column is the first one, a period on
+    if (goes_on) ladder.nodes.resize(ladder.nodes.size() - rows);  // the last column is the first one, a period on
     if (ladder.columns() < fewest_columns) {
         std::ostringstream problem;
         problem << "a curve of '" << part.name.value << "' is " << curve.length() << " m long, " << ladder.columns()
@@ -204,31 +224,32 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     if (const std::size_t cells = ladder.columns() - 1; !goes_on && cells < enough_cells) {
         std::ostringstream text;
         text << "a curve of '" << part.name.value << "' is " << cells
-             << " cells long, which bend in their middles only, in two rows a spacing apart: clamped at one end it "
-                "swings about "
+             << " cells long, which bend in their middles only: clamped at one end it swings about "
              << std::lround(180.0 / static_cast<double>(cells * cells))
              << " % too slowly; take a smaller particles.spacing";
         result_.report.warnings.push_back(text.str());
     }
-    const LadderConstants constants = ladder_constants(part, ladder.along, spacing_);
+    const LadderConstants constants = ladder_constants(part, ladder.along, strip.apart, rows);
     const int body = bodies_++;
-    body_curves_.pieces.push_back(curve);
+    strips_.push_back({{"", {curve}}, strip.thickness() / 2, strip.apart > spacing_ || rows > 2});
+    if (strips_.back().is_thick) strips_.back().outline = outline_of(curve, ladder.along, strip.thickness() / 2);
     ParticleSet& set = result_.particles;
 
     std::vector<Vec> middles;
-    middles.reserve(ladder.nodes.size() / 2);
-    for (std::size_t n = 0; n < ladder.nodes.size(); n += 2)
-        middles.emplace_back(0.5 * (ladder.nodes[n] + ladder.nodes[n + 1]));
+    middles.reserve(static_cast<std::size_t>(ladder.columns()));
+    for (int column = 0; column < ladder.columns(); ++column)
+        middles.emplace_back(0.5 * (ladder.nodes[rows * column] + ladder.nodes[rows * column + rows - 1]));
     const std::vector<bool> anchored = anchored_columns(part, curve, middles, ladder.along);
 
     const int first = static_cast<int>(set.size());
-    const double mass = part.mass_per_length * ladder.along / 2;
-    for (std::size_t n = 0; n < ladder.nodes.size(); ++n) {
+    const double mass = part.mass_per_length * ladder.along / rows;
+    for (int n = 0; n < rows * ladder.columns(); ++n) {
+        const int column = n / rows;
         // The strip ends in its last column, which has half a cell; in the liquid's sums it reaches half a spacing on.
-        const bool is_at_an_end = n < 2 || n + 2 >= ladder.nodes.size();
-        add_particle(part_number, {ladder.nodes[n], spacing_ * ladder.along, is_at_an_end && !goes_on ? mass / 2 : mass,
-                                   body, anchored[n / 2], Vec::Zero(), 0});
-        nodes_.add(ladder.nodes[n], {.of_a_solid = false, .anchored = anchored[n / 2]});
+        const bool is_at_an_end = column == 0 || column + 1 == ladder.columns();
+        add_particle(part_number, {ladder.nodes[n], strip.apart * ladder.along,
+                                   is_at_an_end && !goes_on ? mass / 2 : mass, body, anchored[column], Vec::Zero(), 0});
+        nodes_.add(ladder.nodes[n], {.of_a_solid = false, .anchored = anchored[column]});
     }
     nodes_.sort(spacing_);
 
@@ -243,25 +264,26 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
         ++line.hinges;
     };
     for (int c = 0; c < ladder.columns(); ++c) {
-        const int left = first + 2 * c, right = left + 1;
-        bond(left, right, constants.rung_stiffness);
         const bool is_last = c + 1 == ladder.columns();
+        const int column = first + rows * c, next_column = is_last ? first : column + rows;
+        for (int row = 0; row + 1 < rows; ++row) bond(column + row, column + row + 1, constants.rung_stiffness);
         if (is_last && !goes_on) break;
-        const int next_left = is_last ? first : left + 2, next_right = next_left + 1;
-        bond(left, next_left, constants.bond_stiffness);
-        bond(right, next_right, constants.bond_stiffness);
-        if (constants.cross_stiffness > 0) {
-            bond(left, next_right, constants.cross_stiffness);
-            bond(right, next_left, constants.cross_stiffness);
+        for (int row = 0; row < rows; ++row) bond(column + row, next_column + row, constants.bond_stiffness);
+        for (int row = 0; row + 1 < rows; ++row) {
+            const int left = column + row, right = left + 1, next_left = next_column + row, next_right = next_left + 1;
+            if (constants.cross_stiffness > 0) {
+                bond(left, next_right, constants.cross_stiffness);
+                bond(right, next_left, constants.cross_stiffness);
+            }
+            if (constants.hinge_stiffness == 0) continue;
+            hinge(next_left, left, right);
+            hinge(left, right, next_right);
+            hinge(right, next_right, next_left);
+            hinge(next_right, next_left, left);
         }
-        if (constants.hinge_stiffness == 0) continue;
-        hinge(next_left, left, right);
-        hinge(left, right, next_right);
-        hinge(right, next_right, next_left);
-        hinge(next_right, next_left, left);
     }
     ++line.bodies;
-    line.anchored += 2 * static_cast<std::size_t>(std::count(anchored.begin(), anchored.end(), true));
+    line.anchored += static_cast<std::size_t>(rows * std::count(anchored.begin(), anchored.end(), true));
     line.bond_stiffness = constants.bond_stiffness;
     line.hinge_stiffness = constants.hinge_stiffness;
     line.cross_stiffness = constants.cross_stiffness;

@@ -12,31 +12,34 @@ namespace dmp::mesher {
 namespace {
 
 /// Largest share of EI that the rows' stretching may have: the rest is the hinges', which alone resist shear.
-constexpr double largest_axial_share = 0.5;
+double largest_axial_share(int rows) { return rows == 2 ? 0.5 : 1 - 1.0 / (rows * rows); }
 
 /// Where the part's stiffness is written: of EA, else of E.
 const SourceLocation& location_of_stiffness(const Part& part) {
     return part.axial_stiffness.given() ? part.axial_stiffness.location : part.youngs_modulus.location;
 }
 
-LadderConstants hinged_ladder(const Part& part, const StripStiffness& strip, double along, double across) {
+LadderConstants hinged_ladder(const Part& part, const StripStiffness& strip, double along, double across, int rows) {
     const double bending = strip.bending;
     double axial = strip.axial;
-    const double axial_share = axial * across * across / 4 / bending;
-    if (axial_share > largest_axial_share && part.lower_axial_stiffness) axial *= largest_axial_share / axial_share;
+    const double spread = (rows * rows - 1) / 12.0;  // mean square of the rows' places across [b^2]
+    const double axial_share = axial * across * across * spread / bending, largest = largest_axial_share(rows);
+    if (axial_share > largest && part.lower_axial_stiffness) axial *= largest / axial_share;
 
     LadderConstants constants;
     constants.along = along;
     constants.across = across;
-    constants.bond_stiffness = constants.rung_stiffness = axial / (4 * along);
-    constants.hinge_stiffness = (bending - axial * across * across / 4) / (2 * along);
+    constants.rows = rows;
+    constants.bond_stiffness = constants.rung_stiffness = axial / (2 * rows * along);
+    constants.hinge_stiffness = (bending - axial * across * across * spread) / (2 * (rows - 1) * along);
     if (constants.hinge_stiffness < 0) {
         std::ostringstream problem, what_to_do;
         problem << "the hinges of '" << part.name.value << "' would need a negative stiffness, "
-                << constants.hinge_stiffness << " J: two rows " << across << " m apart with axial_stiffness "
-                << strip.axial << " N alone bend with EI = " << axial * across * across / 4
+                << constants.hinge_stiffness << " J: " << (rows == 2 ? "two" : std::to_string(rows)) << " rows "
+                << across << " m apart with axial_stiffness " << strip.axial
+                << " N alone bend with EI = " << axial * across * across * spread
                 << " N*m^2, more than bending_stiffness " << bending << " N*m^2";
-        what_to_do << "lower axial_stiffness to at most " << 4 * bending / (across * across)
+        what_to_do << "lower axial_stiffness to at most " << bending / (across * across * spread)
                    << " N, refine particles.spacing, or set lower_axial_stiffness = true";
         throw InputError(location_of_stiffness(part), problem.str(), what_to_do.str());
     }
@@ -112,22 +115,31 @@ StripStiffness strip_stiffness(const Part& part) {
     return {axial * part.thickness * part.thickness / 12, axial, part.shear_stiffness};
 }
 
-LadderConstants ladder_constants(const Part& part, double along, double across) {
-    const StripStiffness strip = strip_stiffness(part);
-    if (strip.shear > 0) return braced_ladder(part, strip, along, across);
-    return part.cross_bonds ? crossed_ladder(part, strip, along, across) : hinged_ladder(part, strip, along, across);
+StripRows strip_rows(const Part& part, double thickness, double spacing) {
+    const bool has_diagonals = part.cross_bonds || part.shear_stiffness.given();
+    if (has_diagonals || !(thickness > (1 + 1e-9) * 2 * spacing)) return {2, spacing};
+    const int count = std::max(2, static_cast<int>(std::lround(thickness / spacing)));
+    return {count, thickness / count};
 }
 
-Ladder ladder_along(const Polyline& curve, double spacing) {
+LadderConstants ladder_constants(const Part& part, double along, double across, int rows) {
+    const StripStiffness strip = strip_stiffness(part);
+    if (strip.shear > 0) return braced_ladder(part, strip, along, across);
+    return part.cross_bonds ? crossed_ladder(part, strip, along, across)
+                            : hinged_ladder(part, strip, along, across, rows);
+}
+
+Ladder ladder_along(const Polyline& curve, double spacing, const StripRows& rows) {
     const double length = curve.length();
     const int cells = static_cast<int>(whole_cells(length / spacing));
     Ladder ladder;
     ladder.along = length / cells;
+    ladder.rows = rows.count;
     for (int column = 0; column <= cells; ++column) {
         const auto [point, tangent] = curve.at(std::min(length, column * ladder.along));
         const Vec left(-tangent[1], tangent[0], 0);
-        ladder.nodes.emplace_back(point + 0.5 * spacing * left);
-        ladder.nodes.emplace_back(point - 0.5 * spacing * left);
+        for (int row = 0; row < rows.count; ++row)
+            ladder.nodes.emplace_back(point + (0.5 * (rows.count - 1) - row) * rows.apart * left);
     }
     return ladder;
 }

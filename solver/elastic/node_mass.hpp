@@ -10,10 +10,10 @@
 
 namespace dmp::solver {
 
-/// Mass by particle [kg]: of the nodes of strips and shells with the liquid in them. Their two layers of nodes are two
+/// Mass by particle [kg]: of the nodes of strips and shells with the liquid in them. Two layers of nodes are two
 /// spacings thick, a thin leaflet is not: what is in the difference is liquid of `liquid_density` [kg/m^3; 0: none],
 /// which moves with the leaflet. So a node weighs in the liquid what its material does, and is never much lighter than
-/// the liquid it displaces, which would need short steps (docs/elastic.md). A strip is taken to be as thick as its two
+/// the liquid it displaces, which would need short steps (docs/elastic.md). A strip is taken to be as thick as its
 /// rows of nodes, and one lighter than the liquid that it displaces to have the liquid's density; beyond its ends,
 /// where its last columns stand for half a cell, is liquid. Solids of cells fill
 /// their volume; where the nodes of one of springs are fewer than what is drawn, they have as much less of the liquid.

@@ -176,7 +176,8 @@ std::vector<Measures::SheetLiquid> Measures::liquid_in_strips(const ParticleStor
         const ParticleTag& tag = bodies.tags()[i];
         const double depth = bodies.data(Field::wall_distance)[i], thickness = row / 2 - depth;
         const bool is_strip = scene_.part_of_particles(space_.parts[tag.part].name).mass_per_length > 0;
-        if (!is_strip || !(thickness > 0)) continue;
+        const bool fills_its_rows = depth + bodies.data(Field::opposite_distance)[i] >= (2 - 1e-9) * row;
+        if (!is_strip || fills_its_rows || !(thickness > 0)) continue;
         SheetLiquid liquid{tag.id, {}, bodies.data(Field::volume)[i] * thickness / row};
         for (int axis = 0; axis < space_.dimension; ++axis)
             liquid.middle.at(static_cast<std::size_t>(axis)) =

@@ -161,7 +161,7 @@ TEST(StripStiffness, FollowsFromTheMaterial) {
 
 TEST(LadderAlong, AStraightCurve) {
     const Polyline line{{Vec(1, 2, 0), Vec(1, 3, 0)}, false};
-    const Ladder ladder = ladder_along(line, 0.125);
+    const Ladder ladder = ladder_along(line, 0.125, {2, 0.125});
     ASSERT_EQ(ladder.columns(), 9);
     EXPECT_EQ(ladder.along, 0.125);
     for (int c = 0; c < 9; ++c) {  // left of a line that runs up is -x
@@ -174,14 +174,14 @@ TEST(LadderAlong, AStraightCurve) {
 TEST(LadderAlong, OfHalfACellMoreHasAsManyColumnsWhereverItStands) {
     for (int k = 0; k < 200; ++k) {
         const Vec from(0.001 * k * k, -0.077 * k, 0), along(std::cos(0.1 * k), std::sin(0.1 * k), 0);
-        EXPECT_EQ(ladder_along({{from, from + 0.01 * along}, false}, 0.0008).columns(), 13 + 1) << k;
+        EXPECT_EQ(ladder_along({{from, from + 0.01 * along}, false}, 0.0008, {2, 0.0008}).columns(), 13 + 1) << k;
     }
 }
 
 TEST(LadderAlong, ColumnsFitTheLength) {
     const Polyline line{{Vec(0, 0, 0), Vec(1.07, 0, 0)}, false};
     for (const auto& [spacing, cells] : {std::pair{0.1, 11}, std::pair{0.103, 10}, std::pair{5.0, 1}}) {
-        const Ladder ladder = ladder_along(line, spacing);
+        const Ladder ladder = ladder_along(line, spacing, {2, spacing});
         EXPECT_EQ(ladder.columns(), cells + 1);
         EXPECT_DOUBLE_EQ(ladder.along, 1.07 / cells);
         EXPECT_NEAR(ladder.nodes.back()[0], 1.07, 1e-15);
@@ -194,7 +194,7 @@ TEST(LadderAlong, ACircleHasAShorterInnerRow) {
     Polyline arc;
     for (int k = 0; k <= 3000; ++k)
         arc.points.emplace_back(radius * std::cos(k * pi / 6000), radius * std::sin(k * pi / 6000), 0);
-    const Ladder ladder = ladder_along(arc, spacing);
+    const Ladder ladder = ladder_along(arc, spacing, {2, spacing});
     ASSERT_EQ(ladder.columns(), 32);  // 31.4 cells
     EXPECT_NEAR(ladder.along, pi / 31, 1e-6);
     for (int c = 0; c < 32; ++c) {
@@ -256,6 +256,31 @@ TEST(LadderEnergy, IsThatOfTheBeamAskedFor) {
 
     const double shear = energy(set, moved(set, [&](double s, double t) { return Vec(t + small * s, s, 0); }));
     EXPECT_NEAR(shear / (0.5 * line.shear_stiffness * small * small * length), 1, 1e-4);
+}
+
+TEST(LadderEnergy, OfAThickStripIsThatOfItsMaterial) {
+    for (const auto& [thickness, rows] : {std::pair{0.375, 3}, std::pair{0.5, 4}, std::pair{0.7, 6}}) {
+        std::ostringstream material;
+        material << "youngs_modulus = \"1 kPa\"\nthickness = \"" << thickness << " m\"";
+        const auto meshed = mesh_texts(
+            flap_channel.with("bending_stiffness = \"3 N*m^2\"\naxial_stiffness = \"100 N\"", material.str()));
+        const ParticleSet& set = meshed.particles;
+        ASSERT_EQ(set.count(PartKind::elastic), 9U * static_cast<std::size_t>(rows));
+        EXPECT_NEAR(energy(set, set.position), 0, 1e-20);
+        const double length = 1, small = 1e-4, radius = length / small, axial = 1e3 * thickness;
+        const double stretch = energy(set, moved(set, [&](double s, double t) { return Vec(t, s * (1 + small), 0); }));
+        EXPECT_NEAR(stretch / (0.5 * axial * small * small * length), 1, 1e-9) << rows;
+        const double bending =
+            energy(set, moved(set, [&](double s, double t) {
+                       return Vec((radius + t) * std::cos(s / radius), (radius + t) * std::sin(s / radius), 0);
+                   }));
+        EXPECT_NEAR(bending / (0.5 * axial * square(thickness) / 12 * length / square(radius)), 1, 1e-4) << rows;
+        // With columns as far apart as rows a third of EA: near the 5/6 G A = 0.42 EA of a material with nu = 0.
+        const double shear = energy(set, moved(set, [&](double s, double t) { return Vec(t + small * s, s, 0); }));
+        const double rows_apart = thickness / rows, expected = axial * square(rows_apart / 0.125) / 3;
+        EXPECT_NEAR(shear / (0.5 * expected * small * small * length), 1, 1e-4) << rows;
+        EXPECT_NEAR(meshed.report.springs[0].shear_stiffness / expected, 1, 1e-9) << rows;
+    }
 }
 
 TEST(LadderEnergy, WithAShearStiffnessIsThatAskedFor) {
