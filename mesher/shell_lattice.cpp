@@ -99,7 +99,8 @@ ShellConstants shell_constants(double membrane_stiffness, double bending_stiffne
 }
 
 SpringLattice shell_lattice(const std::vector<Vec>& points, const std::vector<std::array<int, 3>>& triangles,
-                            const ShellConstants& constants, const ParticleSpace& space) {
+                            const ShellConstants& constants, const ParticleSpace& space,
+                            const std::vector<bool>& clamped) {
     const auto between = [&](const Vec& from, const Vec& to) { return nearest_image(to - from, space); };
     Edges edges;
     std::vector<Vec> normal(points.size(), Vec::Zero());
@@ -135,8 +136,27 @@ SpringLattice shell_lattice(const std::vector<Vec>& points, const std::vector<st
     };
     for (std::size_t n = 0; n < points.size(); ++n)
         bond(static_cast<int>(2 * n), static_cast<int>(2 * n + 1), constants.rung_stiffness * share[n] / node_area);
+    const auto hinge = [&](int a, int centre, int b, double stiffness) {
+        const Vec to_a = between(lattice.nodes[centre], lattice.nodes[a]),
+                  to_b = between(lattice.nodes[centre], lattice.nodes[b]);
+        lattice.hinges.push_back({a, centre, b, std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b)), stiffness});
+    };
+    /// Of a clamped edge on the border, from a to b; c is the point opposite to it.
+    const auto hold = [&](int a, int b, int c, double area) {
+        const double length = between(points[b], points[a]).norm(), height = 2 * area / length;
+        double squares = 0;
+        for (const int end : {a, b}) squares += square(height) / between(points[end], points[c]).squaredNorm();
+        const double stiffness = root3 * constants.dihedral_stiffness * length / (height * squares);
+        for (const int end : {a, b})
+            for (const int layer : {0, 1}) hinge(2 * end + 1 - layer, 2 * end + layer, 2 * c + layer, stiffness);
+    };
     for (const auto& [ends, edge] : edges) {
         const auto [a, b] = ends;
+        const int beside = std::max(edge.opposite[0], edge.opposite[1]);
+        const bool is_on_border = std::min(edge.opposite[0], edge.opposite[1]) < 0;
+        if (!clamped.empty() && is_on_border && clamped[a] && clamped[b] && !clamped[beside] &&
+            constants.dihedral_stiffness > 0)
+            hold(a, b, beside, edge.area);
         const double length_square = between(points[b], points[a]).squaredNorm();
         const double weight = edge.area / length_square * 2 / root3;  // 1 inside equilateral triangles
         for (const int layer : {0, 1}) {

@@ -17,7 +17,10 @@ namespace dmp::mesher {
 ///   D = 3 sqrt(3)/4 k_b t^2 + 2 sqrt(3) k_d,   nu_b D = sqrt(3)/4 k_b t^2 - 2/sqrt(3) k_d   (bending) [N m]
 ///   S = 4 sqrt(3) k_c t^2 / l^2   (transverse shear) [N/m]
 /// Membrane and layers' bending are exact inside any patch; a layer's dihedrals (Seung & Nelson 1988) are missing along
-/// its border.
+/// its border. Where that is clamped, hinges between the rungs of an edge and the edges to the point opposite to it
+/// stand in for them (k_h): as much as the dihedrals resist in the row of triangles there, of height h, with edges l_1
+/// and l_2,
+///   k_h = sqrt(3) k_d a / (h SUM (h / l_i)^2) [J], 4/3 k_d for equilateral triangles
 struct ShellConstants {
     double edge = 0;                ///< a [m]
     double distance = 0;            ///< t between the layers [m]
@@ -44,8 +47,9 @@ ShellConstants shell_constants(double membrane_stiffness, double bending_stiffne
 /// inverse (Grinspun et al. 2003), rungs with the node's area. Edges on a border have half of it then, and membrane
 /// strains that are uniform are exact for equilateral triangles only. Throws InputError for triangles without area, an
 /// edge of more than two triangles or of two that are not oriented alike, and points of no triangle. In a `space` with
-/// periods triangles may join points on both sides of one.
+/// periods triangles may join points on both sides of one. `clamped`: by point; empty: none is.
 SpringLattice shell_lattice(const std::vector<Vec>& points, const std::vector<std::array<int, 3>>& triangles,
-                            const ShellConstants& constants, const ParticleSpace& space = {});
+                            const ShellConstants& constants, const ParticleSpace& space = {},
+                            const std::vector<bool>& clamped = {});
 
 }  // namespace dmp::mesher

@@ -190,9 +190,14 @@ void SpaceBuilder::add_elastic(const Part& part) {
         const Part& of = is_thick_in_cad_model ? thin->shell : part;
         const TriangleSurface& surface =
             is_thick_in_cad_model ? thin->middle : geometry_.surface_set(part.name)->surface;
+        const auto anchor =
+            anchor_of(part) == nullptr
+                ? std::nullopt
+                : std::optional<NearestTriangle>(std::in_place, *anchor_of(part), sheet_clamped_within * spacing_);
+        const auto is_clamped = [&](const Vec& point) { return anchor && anchor->nearest(point).has_value(); };
         const SurfacePieces pieces(surface);
         for (const SurfacePiece& piece : pieces.all()) {
-            const ShellBody body = shell_body(of, part_of(surface, piece.triangles), set);
+            const ShellBody body = shell_body(of, part_of(surface, piece.triangles), set, is_clamped);
             line.shell = {body.constants, body.membrane_stiffness_asked};
             line.particle_mass = of.density * of.thickness * spacing_ * spacing_ / 2;
             add_body(body, number, line);
@@ -241,9 +246,7 @@ void SpaceBuilder::clamp(const Part& part, std::size_t first, MeshReport::Spring
     if (part.anchor->empty()) return;
     ParticleSet& set = result_.particles;
     const double clamped_within = line.shell ? sheet_clamped_within : solid_clamped_within;
-    const Solid* solid = geometry_.solid(part.anchor);
-    const NearestTriangle anchor(solid != nullptr ? solid->surface : geometry_.surface_set(part.anchor)->surface,
-                                 clamped_within * spacing_);
+    const NearestTriangle anchor(*anchor_of(part), clamped_within * spacing_);
     for (std::size_t i = first; i < set.size(); ++i) {
         // A shell's nodes stand half a spacing beside its sheet, whose edge is what touches the anchor.
         const Vec position =

@@ -154,7 +154,8 @@ SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec
     return body;
 }
 
-ShellBody shell_body(const Part& part, const TriangleSurface& sheet, const ParticleSpace& space) {
+ShellBody shell_body(const Part& part, const TriangleSurface& sheet, const ParticleSpace& space,
+                     const std::function<bool(const Vec&)>& is_clamped) {
     const double spacing = space.spacing;
     // Of equilateral triangles with a node for each spacing^2: sqrt(3)/2 edge^2.
     const double edge = spacing * std::sqrt(2 / std::numbers::sqrt3);
@@ -170,7 +171,9 @@ ShellBody shell_body(const Part& part, const TriangleSurface& sheet, const Parti
     body.membrane_stiffness_asked = part.youngs_modulus * h;
     const double bending = part.youngs_modulus * h * h * h / (12 * (1 - nu * nu));
     body.constants = shell_constants_of(part, body.membrane_stiffness_asked, bending, edge, spacing);
-    body.lattice = shell_lattice(fine.corners, fine.triangles, body.constants, space);
+    std::vector<bool> clamped;
+    for (const Vec& corner : fine.corners) clamped.push_back(is_clamped(corner));
+    body.lattice = shell_lattice(fine.corners, fine.triangles, body.constants, space, clamped);
     const std::vector<double> turns = turns_over_angles(fine, space);
     for (std::size_t node = 0; node < body.lattice.nodes.size(); ++node) {
         const double area = body.lattice.share[node];  // two layers of nodes share it, and are each a spacing thick

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,9 @@ struct ShellBody : SpringBody {
 };
 /// `sheet`: one connected piece, which goes on through a periodic side where its rims on both are alike. Throws
 /// InputError for a sheet too small to bend, one that branches, or one whose membrane stiffness may not be lowered
-/// though it must.
-ShellBody shell_body(const Part& part, const TriangleSurface& sheet, const ParticleSpace& space);
+/// though it must. `is_clamped`: whether the shell is held at a point of the sheet.
+ShellBody shell_body(const Part& part, const TriangleSurface& sheet, const ParticleSpace& space,
+                     const std::function<bool(const Vec&)>& is_clamped);
 
 /// By node: the number of the connected piece that it belongs to, from `pieces` on by ascending first node; `pieces`
 /// counts on.
