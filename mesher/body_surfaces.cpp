@@ -218,8 +218,7 @@ void find_surface_of_sheet(ParticleSet& set, int part, double thickness, const S
 
 /// As thick as its rows of particles at most; says so where that is not the material's thickness.
 double thickness_of_rows(const Sheet& sheet, double spacing, MeshReport& report) {
-    const StripRows rows =
-        report.dimension == 3 ? StripRows{2, spacing} : strip_rows(*sheet.part, sheet.thickness, spacing);
+    const StripRows rows = report.dimension == 3 ? StripRows{2, spacing} : strip_rows(*sheet.part, spacing);
     const std::string name = *sheet.part->name;
     const bool is_given = sheet.part->thickness.given() || report.dimension == 3;
     if (sheet.thickness <= (1 + 1e-9) * rows.thickness()) {
@@ -234,9 +233,9 @@ double thickness_of_rows(const Sheet& sheet, double spacing, MeshReport& report)
         (is_given ? "" : " by its mass_per_length and the liquid's density") +
         ", and liquid flows past its two rows of particles as if it were " + length_text(rows.thickness()) +
         (report.dimension == 3 ? "; draw it as a volume, or take a larger particles.spacing"
-                               : "; leave out cross_bonds and shear_stiffness, draw it as an area, or take a larger "
-                                 "particles.spacing") +
-        (is_given ? "" : ", or give its `thickness`"));
+         : is_given            ? "; leave out cross_bonds and shear_stiffness, draw it as an area, or take a larger "
+                                 "particles.spacing"
+                               : "; give its `thickness`, and it has as many rows as it is thick"));
     return rows.thickness();
 }
 

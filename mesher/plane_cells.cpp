@@ -10,9 +10,9 @@
 #include "mesher/cell_solids.hpp"
 #include "mesher/own_lattice.hpp"
 #include "mesher/particle_builder.hpp"
+#include "mesher/places_with_room.hpp"
 #include "mesher/region_on_boxes.hpp"
 #include "mesher/relax.hpp"
-#include "mesher/room.hpp"
 #include "mesher/slits.hpp"
 #include "mesher/turned_lattice.hpp"
 
@@ -87,8 +87,12 @@ ParticleBuilder::Filled ParticleBuilder::fill_beside_bodies(const Part& part, in
     const BoxLattice boxes = boxes_of(set, lattice_step());
     const RegionOnBoxes liquid(*geometry_.region(part.name), boxes);
     std::list<RegionOnBoxes> strips;
+    double thickest = 0;
     for (const Strip& strip : strips_)
-        if (strip.is_thick) strips.emplace_back(strip.outline, boxes);
+        if (strip.is_thick) {
+            strips.emplace_back(strip.outline, boxes);
+            thickest = std::max(thickest, strip.half);
+        }
     std::set<BoxIndex> taken, looked_at;
     std::size_t count = 0;
     for (std::size_t i = 0; i < set.size(); ++i)
@@ -124,13 +128,14 @@ ParticleBuilder::Filled ParticleBuilder::fill_beside_bodies(const Part& part, in
     }
     for (const RegionOnBoxes& strip : strips) {
         const auto [first, last] = strip.boxes();
-        for (int y = first[1] - 1; y <= last[1]; ++y)
-            for (int x = first[0] - 1; x <= last[0]; ++x)
+        const auto about = static_cast<int>(std::ceil(thickest / spacing_)) + 1;
+        for (int y = first[1] - about; y < last[1] + about; ++y)
+            for (int x = first[0] - about; x < last[0] + about; ++x)
                 if (const BoxIndex box{x, y, 0}; strip.filling(box).volume > 0 || is_in_a_strip(boxes.middle(box)))
                     look_at(boxes.in_period(box), strip);
     }
     const auto added = static_cast<std::size_t>(std::max(0L, std::lround(missing)));
-    Room room(set, boxes, places_beside_bodies(part, corners));
+    PlacesWithRoom room(set, boxes, places_beside_bodies(part, corners));
     for (const Vec& point : set.position) room.take(point);
     const double volume = lattice_.cell_area();
     std::size_t done = 0;

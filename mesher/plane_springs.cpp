@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "base/number_text.hpp"
-#include "mesher/body_surfaces.hpp"
 #include "mesher/particle_builder.hpp"
 #include "mesher/spring_bodies.hpp"
 #include "mesher/spring_lattice.hpp"
@@ -19,7 +18,8 @@ namespace {
 /// layer stands half a spacing from the surface, and the nearest to a point, which may be missing a cell [spacings].
 constexpr double touching = 0.1, clamped_within = 0.75, nearest_within = 1.5;
 
-/// What is within `half` of an open curve, without what is beyond its ends; in pieces `along` long [m].
+/// What particles along an open curve stand for: `half` to both sides of it, and half of what they are apart, `along`,
+/// beyond its ends [m].
 Region outline_of(const Polyline& curve, double along, double half) {
     Polyline right, left;
     const double length = curve.length();
@@ -27,8 +27,9 @@ Region outline_of(const Polyline& curve, double along, double half) {
     for (long n = 0; n <= pieces; ++n) {
         const auto [point, tangent] = curve.at(std::min(length, static_cast<double>(n) * along));
         const Vec to_left(-tangent[1], tangent[0], 0);
-        right.points.emplace_back(point - half * to_left);
-        left.points.emplace_back(point + half * to_left);
+        const double beyond = n == 0 ? -along / 2 : n == pieces ? along / 2 : 0;
+        right.points.emplace_back(point + beyond * tangent - half * to_left);
+        left.points.emplace_back(point + beyond * tangent + half * to_left);
     }
     right.points.insert(right.points.end(), left.points.rbegin(), left.points.rend());
     right.closed = true;
@@ -182,7 +183,7 @@ void ParticleBuilder::add_elastic(const Part& part) {
         const bool lowered = line.axial_stiffness < line.axial_stiffness_asked;
         // In tension the part is so many times as soft, or as stiff.
         const double ratio = line.axial_stiffness / line.axial_stiffness_asked;
-        const StripRows strip = strip_rows(part, strip_thickness(part, scene_), spacing_);
+        const StripRows strip = strip_rows(part, spacing_);
         text << part.name.value << ": EA " << (lowered ? "lowered" : "raised") << " from " << line.axial_stiffness_asked
              << " to " << line.axial_stiffness << " N, " << number_text(100 * ratio, 3) << " % of that, so that "
              << (strip.count == 2 ? "two" : std::to_string(strip.count)) << " rows " << strip.apart << " m apart can "
@@ -209,7 +210,7 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
         throw InputError(part.name.location,
                          "'" + part.name.value + "' has a closed curve, and springs run along open ones only",
                          "leave a gap in the curve in the geometry");
-    const StripRows strip = strip_rows(part, strip_thickness(part, scene_), spacing_);
+    const StripRows strip = strip_rows(part, spacing_);
     const int rows = strip.count;
     Ladder ladder = ladder_along(curve, spacing_, strip);
     const bool goes_on = goes_on_through_a_side(curve);

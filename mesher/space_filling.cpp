@@ -5,8 +5,8 @@
 #include <set>
 
 #include "mesher/cell_solids.hpp"
+#include "mesher/places_with_room.hpp"
 #include "mesher/relax.hpp"
-#include "mesher/room.hpp"
 #include "mesher/space_builder.hpp"
 
 namespace dmp::mesher {
@@ -116,7 +116,7 @@ SpaceBuilder::Added SpaceBuilder::fill_beside_cells(const Part& part, int number
         places.insert(places.end(), here.places.begin(), here.places.end());
     }
     if (of_any > 0) missing += rounded * liquid / of_any;
-    Room room(set, boxes, std::move(places));
+    PlacesWithRoom room(set, boxes, std::move(places));
     for (std::size_t i = 0; i < set.size(); ++i)
         room.take(set.position[i], set.kind(i) == PartKind::elastic ? keep_from_cells * spacing_ : 0);
     const auto wanted = static_cast<std::size_t>(std::max(0L, std::lround(missing)));

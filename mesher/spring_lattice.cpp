@@ -115,11 +115,11 @@ StripStiffness strip_stiffness(const Part& part) {
     return {axial * part.thickness * part.thickness / 12, axial, part.shear_stiffness};
 }
 
-StripRows strip_rows(const Part& part, double thickness, double spacing) {
+StripRows strip_rows(const Part& part, double spacing) {
     const bool has_diagonals = part.cross_bonds || part.shear_stiffness.given();
-    if (has_diagonals || !(thickness > (1 + 1e-9) * 2 * spacing)) return {2, spacing};
-    const int count = std::max(2, static_cast<int>(std::lround(thickness / spacing)));
-    return {count, thickness / count};
+    if (has_diagonals || !(part.thickness > (1 + 1e-9) * 2 * spacing)) return {2, spacing};
+    const int count = std::max(2, static_cast<int>(std::lround(part.thickness / spacing)));
+    return {count, part.thickness / count};
 }
 
 LadderConstants ladder_constants(const Part& part, double along, double across, int rows) {

@@ -15,7 +15,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-/// A flap of 1 m on the floor of a channel of 4 m x 1.5 m with 0.125 m between particles, held at its foot.
+/// A flap of 1 m on the floor of a channel of 4 m x 2 m with 0.125 m between particles, held at its foot.
 Meshed strip_of(const std::string& thickness, const std::string& more = "") {
     return mesh_texts(flap_channel.with("bending_stiffness = \"3 N*m^2\"\naxial_stiffness = \"100 N\"",
                                         "youngs_modulus = \"1 kPa\"\nthickness = \"" + thickness + "\"\n" + more));
@@ -31,12 +31,13 @@ TEST(ThickStrips, have_a_row_a_spacing_in_equal_slices) {
     for (const auto& [thickness, rows] :
          {std::pair{0.1, 2}, {0.25, 2}, {0.3, 2}, {0.32, 3}, {0.375, 3}, {0.44, 4}, {0.5, 4}, {0.7, 6}}) {
         Part part;
-        const StripRows strip = strip_rows(part, thickness, 0.125);
+        part.thickness = Value<double>(thickness, {"scene.toml", 1, 1});
+        const StripRows strip = strip_rows(part, 0.125);
         EXPECT_EQ(strip.count, rows) << thickness;
         EXPECT_DOUBLE_EQ(strip.thickness(), std::max(0.25, thickness));
         part.cross_bonds = true;
-        EXPECT_EQ(strip_rows(part, thickness, 0.125).count, 2);
-        EXPECT_EQ(strip_rows(part, thickness, 0.125).apart, 0.125);
+        EXPECT_EQ(strip_rows(part, 0.125).count, 2);
+        EXPECT_EQ(strip_rows(part, 0.125).apart, 0.125);
     }
 }
 
@@ -70,8 +71,8 @@ TEST(ThickStrips, have_their_volume_mass_and_surfaces) {
         EXPECT_EQ(outer, 2 * columns);
         EXPECT_GT(nearest, 0.5);
         EXPECT_NEAR(line.axial_stiffness / line.axial_stiffness_asked, has_two_rows ? 2.0 / 3 : 1, 1e-9);
-        // The liquid has what the strip leaves of 4 m x 1.5 m.
-        EXPECT_NEAR(volume_of_liquid(set), 6 - thickness, 0.02);
+        // The liquid has what the strip leaves of 4 m x 2 m; its last column reaches half a spacing on.
+        EXPECT_NEAR(volume_of_liquid(set), 8 - thickness * (1 + 0.125 / 2), 1e-9);
         EXPECT_THAT(meshed.report.notes, Contains(HasSubstr(" apart")));
     }
     EXPECT_THAT(strip_of("0.375 m").report.notes,

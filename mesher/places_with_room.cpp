@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesher/room.hpp"
+#include "mesher/places_with_room.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ std::array<int, 3> box_at(const BoxLattice& boxes, const Vec& point) {
     return box;
 }
 
-Room::Room(const ParticleSpace& space, const BoxLattice& boxes, std::vector<Vec> places)
+PlacesWithRoom::PlacesWithRoom(const ParticleSpace& space, const BoxLattice& boxes, std::vector<Vec> places)
     : space_(space),
       boxes_(boxes),
       places_(std::move(places)),
@@ -25,7 +25,7 @@ Room::Room(const ParticleSpace& space, const BoxLattice& boxes, std::vector<Vec>
     }
 }
 
-void Room::take(const Vec& point, double least) {
+void PlacesWithRoom::take(const Vec& point, double least) {
     const std::array<int, 3> at = box_at(boxes_, point);
     const int around = boxes_.dimension == 3 ? 27 : 9;
     for (int n = 0; n < around; ++n) {
@@ -39,7 +39,7 @@ void Room::take(const Vec& point, double least) {
     }
 }
 
-std::optional<Vec> Room::widest() {
+std::optional<Vec> PlacesWithRoom::widest() {
     while (!by_room_.empty()) {
         const Entry best = by_room_.top();
         if (room_[best.place] == best.room) break;

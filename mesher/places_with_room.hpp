@@ -16,10 +16,10 @@ namespace dmp::mesher {
 std::array<int, 3> box_at(const BoxLattice& boxes, const Vec& point);
 
 /// How much room there is at places for a particle more: the distance to the nearest particle in the boxes around.
-class Room {
+class PlacesWithRoom {
   public:
     /// `boxes` are not smaller than the room that is asked about.
-    Room(const ParticleSpace& space, const BoxLattice& boxes, std::vector<Vec> places);
+    PlacesWithRoom(const ParticleSpace& space, const BoxLattice& boxes, std::vector<Vec> places);
 
     /// A particle stands at a point: places nearer to it than `least` [m] have no room.
     void take(const Vec& point, double least = 0);
