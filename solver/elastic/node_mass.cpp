@@ -11,13 +11,12 @@ std::vector<double> node_masses(const Scene& scene, const ParticleSet& set, doub
         density.push_back(liquid_density);
         if (kind != PartKind::elastic) continue;
         const Part& part = scene.part_of_particles(name);
-        if (part.density.given()) density.back() = part.density;
-    }
-    // A strip is taken to be as thick as its rows of nodes.
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != PartKind::elastic) continue;
-        const Part& part = scene.part_of_particles(set.parts[set.part[i]].name);
-        if (!part.density.given()) density[set.part[i]] = std::max(density[set.part[i]], set.mass[i] / set.volume[i]);
+        // A strip is taken to be as thick as its rows of nodes: two spacings, or its thickness where that is more.
+        const double of_rows = part.mass_per_length / std::max(2 * set.spacing, *part.thickness);
+        if (part.density.given())
+            density.back() = part.density;
+        else if (of_rows > liquid_density)
+            density.back() = of_rows;
     }
     std::vector<double> mass = set.mass;
     if (liquid_density == 0) return mass;
