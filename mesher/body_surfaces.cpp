@@ -217,8 +217,9 @@ void find_surface_of_sheet(ParticleSet& set, int part, double thickness, const S
 }
 
 /// As thick as its rows of particles at most; says so where that is not the material's thickness.
-double thickness_of_rows(const Sheet& sheet, double spacing, MeshReport& report) {
-    const StripRows rows = report.dimension == 3 ? StripRows{2, spacing} : strip_rows(*sheet.part, spacing);
+double thickness_of_rows(const Sheet& sheet, const Scene& scene, MeshReport& report) {
+    const StripRows rows =
+        report.dimension == 3 ? StripRows{2, scene.particles.spacing} : strip_rows(*sheet.part, scene);
     const std::string name = *sheet.part->name;
     const bool is_given = sheet.part->thickness.given() || report.dimension == 3;
     if (sheet.thickness <= (1 + 1e-9) * rows.thickness()) {
@@ -257,7 +258,7 @@ void find_body_surfaces(const Geometry& geometry, const Scene& scene, const std:
         const int number = set.part_named(part->name);
         const auto sheet = std::ranges::find(sheets, part, &Sheet::part);
         if (sheet != sheets.end()) {
-            find_surface_of_sheet(set, number, thickness_of_rows(*sheet, set.spacing, result.report), *sheet);
+            find_surface_of_sheet(set, number, thickness_of_rows(*sheet, scene, result.report), *sheet);
         } else if (const Region* region = geometry.region(part->name)) {
             find_surface_of_solid(set, number, AreaSurface(*region, set));
         } else if (const Solid* solid = geometry.solid(part->name)) {

@@ -183,7 +183,7 @@ void ParticleBuilder::add_elastic(const Part& part) {
         const bool lowered = line.axial_stiffness < line.axial_stiffness_asked;
         // In tension the part is so many times as soft, or as stiff.
         const double ratio = line.axial_stiffness / line.axial_stiffness_asked;
-        const StripRows strip = strip_rows(part, spacing_);
+        const StripRows strip = strip_rows(part, scene_);
         text << part.name.value << ": EA " << (lowered ? "lowered" : "raised") << " from " << line.axial_stiffness_asked
              << " to " << line.axial_stiffness << " N, " << number_text(100 * ratio, 3) << " % of that, so that "
              << (strip.count == 2 ? "two" : std::to_string(strip.count)) << " rows " << strip.apart << " m apart can "
@@ -210,7 +210,7 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
         throw InputError(part.name.location,
                          "'" + part.name.value + "' has a closed curve, and springs run along open ones only",
                          "leave a gap in the curve in the geometry");
-    const StripRows strip = strip_rows(part, spacing_);
+    const StripRows strip = strip_rows(part, scene_);
     const int rows = strip.count;
     Ladder ladder = ladder_along(curve, spacing_, strip);
     const bool goes_on = goes_on_through_a_side(curve);

@@ -115,9 +115,11 @@ StripStiffness strip_stiffness(const Part& part) {
     return {axial * part.thickness * part.thickness / 12, axial, part.shear_stiffness};
 }
 
-StripRows strip_rows(const Part& part, double spacing) {
+StripRows strip_rows(const Part& part, const Scene& scene) {
+    const double spacing = scene.particles.spacing;
+    const bool is_dry = scene.parts_of(PartKind::fluid).empty();
     const bool has_diagonals = part.cross_bonds || part.shear_stiffness.given();
-    if (has_diagonals || !(part.thickness > (1 + 1e-9) * 2 * spacing)) return {2, spacing};
+    if (is_dry || has_diagonals || !(part.thickness > (1 + 1e-9) * 2 * spacing)) return {2, spacing};
     const int count = std::max(2, static_cast<int>(std::lround(part.thickness / spacing)));
     return {count, part.thickness / count};
 }

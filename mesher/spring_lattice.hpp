@@ -57,9 +57,9 @@ struct StripRows {
     /// From the outer side of one outer row to that of the other [m].
     [[nodiscard]] double thickness() const { return count * apart; }
 };
-/// Two rows a spacing apart. A strip with a `thickness` of more than two spacings has as many rows as spacings, in the
-/// middles of equal slices; not with diagonals (cross_bonds, shear_stiffness).
-StripRows strip_rows(const Part& part, double spacing);
+/// Two rows a spacing apart. In liquid a strip with a `thickness` of more than two spacings has as many rows as
+/// spacings, in the middles of equal slices; not with diagonals (cross_bonds, shear_stiffness).
+StripRows strip_rows(const Part& part, const Scene& scene);
 
 /// The constants that give the part's EI and EA, and GA where it asks for one. With GA there are hinges and diagonals,
 /// and rungs are as stiff as the rows; EI and GA leave a range to EA, from hinges alone to diagonals alone, whose

@@ -28,16 +28,22 @@ double volume_of_liquid(const ParticleSet& set) {
 }
 
 TEST(ThickStrips, have_a_row_a_spacing_in_equal_slices) {
+    Scene dry;
+    dry.particles.spacing = Value<double>(0.125, {"scene.toml", 1, 1});
+    Scene in_liquid = dry;
+    in_liquid.parts.emplace_back().kind = PartKind::fluid;
     for (const auto& [thickness, rows] :
          {std::pair{0.1, 2}, {0.25, 2}, {0.3, 2}, {0.32, 3}, {0.375, 3}, {0.44, 4}, {0.5, 4}, {0.7, 6}}) {
         Part part;
         part.thickness = Value<double>(thickness, {"scene.toml", 1, 1});
-        const StripRows strip = strip_rows(part, 0.125);
+        const StripRows strip = strip_rows(part, in_liquid);
         EXPECT_EQ(strip.count, rows) << thickness;
         EXPECT_DOUBLE_EQ(strip.thickness(), std::max(0.25, thickness));
         part.cross_bonds = true;
-        EXPECT_EQ(strip_rows(part, 0.125).count, 2);
-        EXPECT_EQ(strip_rows(part, 0.125).apart, 0.125);
+        EXPECT_EQ(strip_rows(part, in_liquid).count, 2);
+        EXPECT_EQ(strip_rows(part, in_liquid).apart, 0.125);
+        part.cross_bonds = false;
+        EXPECT_EQ(strip_rows(part, dry).count, 2) << "whose rows no liquid sees";
     }
 }
 
