@@ -134,8 +134,8 @@ std::vector<Key<Part>> part_keys() {
         {"centre", rigid, &Part::centre, point(), "[0, 0]",
          "Initial position of the centre of rotation; it moves with the part's velocity."},
         {"layers", springs, &Part::layers,
-         integer(exactly(2, "elastic solids have two rows of particles for now: write layers = 2")), "2",
-         "Rows of particles across the solid's thickness."},
+         integer(exactly(2, "the rows of an elastic solid follow from its thickness: leave layers out, or write 2")), "2",
+         "Rows of particles of strips and shells; thicker strips have more, by their thickness. May be left out."},
         {"density", springs, &Part::density, quantity("1100 kg/m^3", positive), not_given,
          "Density of the material, in 3-D and for an area in 2-D; a strip (a curve in 2-D) takes mass_per_length "
          "instead."},

@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
               "'y_high', 'z_low' and 'z_high'\n  write one of these names"},
         Fault{"springs_of_three_layers", "kind = \"elastic\"", "kind = \"elastic\"\nlayers = 3",
               "scene.toml:23:10: part.leaflets.layers: found 3, expected 2\n"
-              "  elastic solids have two rows of particles for now: write layers = 2"},
+              "  the rows of an elastic solid follow from its thickness: leave layers out, or write 2"},
         Fault{"springs_as_stiff_as_a_strip_and_as_a_material", "axial_stiffness = \"100 N\"",
               "axial_stiffness = \"100 N\"\nyoungs_modulus = \"2 MPa\"",
               "scene.toml:25:18: part 'leaflets' has its stiffness twice: as a strip, at scene.toml:23:21, and as a "

@@ -70,18 +70,19 @@ TEST(ExplainKey, a_key_of_parts_by_pattern_by_name_and_without) {
 }
 
 TEST(ExplainKey, a_key_that_differs_between_kinds) {
-    EXPECT_EQ(explain_key("part.layers"),
-              "part.*.layers\n"
-              "    Rows of wall particles; the wall must be as thick as the kernel's support.\n"
-              "    type:    a whole number, at least 1\n"
-              "    default: 3 (draft: 3, fine: 4)\n"
-              "    only for rigid parts\n"
-              "\n"
-              "part.*.layers\n"
-              "    Rows of particles across the solid's thickness.\n"
-              "    type:    a whole number, only 2\n"
-              "    default: 2\n"
-              "    only for elastic parts\n");
+    EXPECT_EQ(
+        explain_key("part.layers"),
+        "part.*.layers\n"
+        "    Rows of wall particles; the wall must be as thick as the kernel's support.\n"
+        "    type:    a whole number, at least 1\n"
+        "    default: 3 (draft: 3, fine: 4)\n"
+        "    only for rigid parts\n"
+        "\n"
+        "part.*.layers\n"
+        "    Rows of particles of strips and shells; thicker strips have more, by their thickness. May be left out.\n"
+        "    type:    a whole number, only 2\n"
+        "    default: 2\n"
+        "    only for elastic parts\n");
 }
 
 TEST(ExplainKey, a_whole_table) {
