@@ -184,7 +184,7 @@ void find_surface_of_solid(ParticleSet& set, int part, const FindNearest& neares
     }
 }
 
-void find_surface_of_sheet(ParticleSet& set, int part, double thickness,
+void find_surface_of_sheet(ParticleSet& set, int part, double thickness, bool has_middle_row,
                            const std::function<std::optional<Vec>(const Vec&)>& nearest_of_middle) {
     for (std::size_t i = 0; i < set.size(); ++i) {
         if (set.part[i] != part) continue;
@@ -194,22 +194,23 @@ void find_surface_of_sheet(ParticleSet& set, int part, double thickness,
         const double height = off.norm();
         // The middle one of an odd number of rows, which follow one another across the strip, has two surfaces.
         const bool is_in_the_middle = height < on_surface * set.spacing;
+        if (is_in_the_middle && !has_middle_row) continue;
         if (is_in_the_middle) off = nearest_image(set.position[i - 1] - set.position[i], set);
         set_surface(set, i, {off.normalized(), thickness / 2 - height, thickness / 2 + height});
     }
 }
 
-void find_surface_of_sheet(ParticleSet& set, int part, double thickness, const Sheet& sheet) {
+void find_surface_of_sheet(ParticleSet& set, int part, double thickness, bool has_middle_row, const Sheet& sheet) {
     const double near = reach * set.spacing;
     if (set.dimension == 2) {
         const NearestCurve middle(sheet.curves, near);
-        find_surface_of_sheet(set, part, thickness, [&](const Vec& point) -> std::optional<Vec> {
+        find_surface_of_sheet(set, part, thickness, has_middle_row, [&](const Vec& point) -> std::optional<Vec> {
             const auto found = middle.nearest(point);
             return found ? std::optional(found->point) : std::nullopt;
         });
     } else {
         const NearestTriangle middle(sheet.surface, near);
-        find_surface_of_sheet(set, part, thickness, [&](const Vec& point) -> std::optional<Vec> {
+        find_surface_of_sheet(set, part, thickness, has_middle_row, [&](const Vec& point) -> std::optional<Vec> {
             const auto found = middle.nearest(point);
             return found ? std::optional(found->point) : std::nullopt;
         });
@@ -258,7 +259,8 @@ void find_body_surfaces(const Geometry& geometry, const Scene& scene, const std:
         const int number = set.part_named(part->name);
         const auto sheet = std::ranges::find(sheets, part, &Sheet::part);
         if (sheet != sheets.end()) {
-            find_surface_of_sheet(set, number, thickness_of_rows(*sheet, scene, result.report), *sheet);
+            const bool has_middle_row = set.dimension == 2 && strip_rows(*part, scene).count % 2 == 1;
+            find_surface_of_sheet(set, number, thickness_of_rows(*sheet, scene, result.report), has_middle_row, *sheet);
         } else if (const Region* region = geometry.region(part->name)) {
             find_surface_of_solid(set, number, AreaSurface(*region, set));
         } else if (const Solid* solid = geometry.solid(part->name)) {

@@ -128,7 +128,7 @@ Physical Volume("ball") = ball();
     for (const std::string name : {"water", "oil"}) {
         double volume = 0;
         for (std::size_t i = 0; i < set.size(); ++i) volume += set.part[i] == set.part_named(name) ? set.volume[i] : 0;
-        EXPECT_NEAR(volume / meshed.geometry.solid(name)->volume(), 1, 2e-3) << name;
+        EXPECT_NEAR(volume / meshed.geometry.solid(name)->volume(), 1, 3e-4) << name;
     }
     EXPECT_NEAR(volume_of(set, PartKind::fluid) + volume_of(set, PartKind::elastic), 2.5 * 2.5 * 2.5, 3e-3);
 }
@@ -149,7 +149,7 @@ roof() = Surface In BoundingBox {-0.1, -0.1, 2.49, 2.6, 2.6, 2.51};
 Physical Surface("wall") = {floor(), roof()};
 )";
     const Meshed meshed = mesh_texts(standing);
-    EXPECT_NEAR(volume_of(meshed.particles, PartKind::fluid) / meshed.geometry.solid("water")->volume(), 1, 5e-3);
+    EXPECT_NEAR(volume_of(meshed.particles, PartKind::fluid) / meshed.geometry.solid("water")->volume(), 1, 1e-3);
 }
 
 }  // namespace
