@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -17,7 +18,8 @@ namespace {
 
 /// Places closer than this part of a sphere's radius are one.
 constexpr double one_position = 1e-6;
-/// The cosine between the normals of a contact now and of one before on the same part, that it may come from.
+/// The cosine between the normals of touches of a smooth surface that are one contact, and of a contact now and of one
+/// before on the same part, that it may come from.
 constexpr double same_direction = 0.5;
 
 Vec position_of(const SphereMotion& sphere) {
@@ -35,7 +37,11 @@ Vec closest_on(const Vec& position, const std::array<Vec, 3>& corners) {
 Vec SphereWalls::Motion::at(double t) const { return {velocity[0](t), velocity[1](t), velocity[2](t)}; }
 
 SphereWalls::SphereWalls(const ParticleSpace& space, std::vector<std::array<Expression, 3>> velocity, WallPairs pairs)
-    : space_(space), planes_(space.wall_planes), triangles_(space.wall_triangles), pairs_(std::move(pairs)) {
+    : space_(space),
+      planes_(space.wall_planes),
+      triangles_(space.wall_triangles),
+      smooth_edges_(space),
+      pairs_(std::move(pairs)) {
     for (auto& axes : velocity) {
         const bool moves = !std::ranges::all_of(axes, [](const Expression& axis) { return axis.is_zero(); });
         motion_.push_back({std::move(axes), moves});
@@ -180,9 +186,36 @@ std::vector<SphereWalls::Touch> SphereWalls::touches_of(const ListedSphere& sphe
         if (touch.distance < motion.radius() + contact_reach(pair.model, pair.constants, motion.radius()))
             near.push_back(touch);
     }
-    for (std::size_t k = 0; k < near.size(); ++k)
-        if (!is_hidden(k, near, one_position * motion.radius())) touches.push_back(near[k]);
+    const std::vector<std::size_t> surface = smooth_surfaces(near);
+    std::vector<std::size_t> deepest_first(near.size()), kept;
+    std::iota(deepest_first.begin(), deepest_first.end(), std::size_t{0});
+    std::ranges::stable_sort(deepest_first, {}, [&](std::size_t k) { return near[k].distance; });
+    for (const std::size_t k : deepest_first) {
+        const bool is_deepest = std::ranges::none_of(kept, [&](std::size_t other) {
+            return surface[other] == surface[k] && near[other].normal.dot(near[k].normal) > same_direction;
+        });
+        if (is_deepest && !is_hidden(k, near, one_position * motion.radius())) kept.push_back(k);
+    }
+    std::ranges::sort(kept);
+    for (const std::size_t k : kept) touches.push_back(near[k]);
     return touches;
+}
+
+/// The number of the smooth surface that each touch is on: that of its first touch.
+std::vector<std::size_t> SphereWalls::smooth_surfaces(const std::vector<Touch>& touches) const {
+    std::vector<std::size_t> number(touches.size());
+    std::iota(number.begin(), number.end(), std::size_t{0});
+    const auto is_plane = [&](std::size_t k) { return static_cast<std::size_t>(touches[k].surface) < planes_.size(); };
+    for (std::size_t k = 0; k < touches.size(); ++k)
+        for (std::size_t before = 0; before < k; ++before) {
+            if (number[before] == number[k] || is_plane(before) || is_plane(k)) continue;
+            if (!smooth_edges_.join(static_cast<std::size_t>(touches[before].surface) - planes_.size(),
+                                    static_cast<std::size_t>(touches[k].surface) - planes_.size()))
+                continue;
+            const std::size_t first = std::min(number[before], number[k]), later = std::max(number[before], number[k]);
+            std::ranges::replace(number, later, first);
+        }
+    return number;
 }
 
 /// The contact of the last step that this one goes on from; null: it begins.

@@ -9,6 +9,7 @@
 #include "particles/particle_set.hpp"
 #include "scene/expression.hpp"
 #include "solver/parallel/ranks.hpp"
+#include "solver/spheres/smooth_edges.hpp"
 #include "solver/spheres/sphere_rows.hpp"
 #include "solver/spheres/wall_law.hpp"
 #include "solver/state/archive.hpp"
@@ -38,8 +39,10 @@ struct WallContact {
 ///
 /// A sphere touches a surface of triangles where its distance to the surface has a local minimum: in faces, edges and
 /// corners, each place once. A place on one triangle that lies on another one too, which comes nearer elsewhere, is
-/// none. So an edge between coplanar triangles, or one that bends away, is not felt from a face; in a corner that bends
-/// towards the sphere it touches both faces. What a contact remembers passes from triangle to triangle as it rolls.
+/// none. So an edge that bends away is not felt from a face; in a corner that bends towards the sphere it touches both
+/// faces. Touched triangles that follow each other over smooth edges (SmoothEdges) are one contact, that of the deepest
+/// touch, unless their normals differ by 60 degrees or more: m contacts in place of one would be m times as stiff and
+/// as damped, with a restitution of e^sqrt(m). What a contact remembers passes from triangle to triangle as it rolls.
 /// A sphere's contacts with walls are summed in their own order by the rank that owns it.
 class SphereWalls {
   public:
@@ -119,6 +122,7 @@ class SphereWalls {
     [[nodiscard]] std::vector<Touch> touches_of(const ListedSphere& sphere, const SphereMotion& motion,
                                                 std::uint16_t part) const;
     [[nodiscard]] bool is_hidden(std::size_t number, const std::vector<Touch>& all, double tolerance) const;
+    [[nodiscard]] std::vector<std::size_t> smooth_surfaces(const std::vector<Touch>& touches) const;
     void list_triangles(const SphereRows& rows, double gap, std::vector<std::vector<Candidate>>& of_row) const;
     [[nodiscard]] const WallContact* remembered(const Touch& touch, std::span<const WallContact> before,
                                                 const std::vector<Touch>& all) const;
@@ -127,6 +131,7 @@ class SphereWalls {
     ParticleSpace space_;
     std::vector<WallPlane> planes_;
     std::vector<WallTriangle> triangles_;
+    SmoothEdges smooth_edges_;
     std::vector<Motion> motion_;  ///< by part
     WallPairs pairs_;
     double largest_speed_ = 0;

@@ -1,0 +1,29 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "particles/particle_set.hpp"
+#include "solver/uses.hpp"
+
+namespace dmp::solver {
+
+/// Which triangles of walls belong to one smooth surface: those of one part that share an edge, also across a periodic
+/// side, at which they bend by less than 30 degrees. Whether triangles face the same side does not matter.
+class SmoothEdges {
+  public:
+    static constexpr double largest_bend_cosine = 0.8660254037844386;  ///< of 30 degrees
+
+    explicit SmoothEdges(const ParticleSpace& space);
+
+    /// Whether two triangles, by their numbers in wall_triangles, share a smooth edge.
+    [[nodiscard]] bool join(std::size_t a, std::size_t b) const;
+
+  private:
+    std::vector<std::size_t> first_;  ///< of each triangle's in `joined_`, and their end
+    std::vector<std::int32_t> joined_;
+};
+
+}  // namespace dmp::solver
