@@ -76,7 +76,8 @@ void need_what_the_scheme_supports(const Scene& scene) {
                 refuse(numerics.kernel.location, "kernel = \"" + to_string(*numerics.kernel) + "\"");
             if (numerics.support.given() && *numerics.support < 2.8)
                 refuse(numerics.support.location, "support = " + exact_text(numerics.support) + ", below 2.8");
-            if (scene.contact.range.given() && *scene.contact.range > 0.8 && !scene.parts_of(PartKind::elastic).empty())
+            if (scene.contact.range.given() && *scene.contact.range > 0.8 &&
+                !scene.parts_of(PartKind::elastic).empty() && !scene.parts_of(PartKind::fluid).empty())
                 throw InputError(
                     first_known(scene, {&scene.contact.range.location, &numerics.scheme.location}),
                     "contact.range = " + exact_text(scene.contact.range) +

@@ -57,6 +57,7 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
       monitor_(scene_, particles_.space(), rest_densities(scene_, set), settings_.sound_speed, settings_.support),
       concentrations_(scene_),
       voids_(scene_, {settings_.corrected && !settings_.free_surface, settings_.subtracts_level}),
+      penetration_(scene_, settings_.repulsion_strength),
       reached_(scene_, sound_),
       strain_(fluid_.springs()),
       frame_times_(scene_.output.every),
@@ -76,6 +77,7 @@ void FluidRun::start(FrameSink* sink) {
     if (step_ == 0) fluid_.take_initial_gradients(time_);
     if (step_ == 0) fluid_.find_chambers();
     if (step_ == 0) fluid_.update_contact_rate();
+    if (watches_contact() && frames_ == 0) penetration_.start(particles_, fluid_.neighbours().list(), ranks_);
     extremes_ = fluid_.extremes();
     if (step_ == 0) write_what_is_due(sink);
     if (starts_from_state() && frames_ == 0) start_from_state(sink);
@@ -101,6 +103,10 @@ std::vector<Warning> FluidRun::new_chamber_warnings() {
     std::vector<Warning> warnings = chamber_warnings();
     warned_of_chambers_ = warnings.empty() ? 0 : 1;
     return warnings;
+}
+
+bool FluidRun::watches_contact() const {
+    return *scene_.contact.range > 0 && !scene_.parts_of(PartKind::elastic).empty();
 }
 
 bool FluidRun::may_change_chambers() const { return scene_.changes_bodies() || !fluid_.springs().empty(); }
@@ -185,6 +191,7 @@ void FluidRun::archive_accounts(Archive& file) {
     velocity_change_.archive(file);
     strain_.archive(file);
     voids_.archive(file);
+    if (watches_contact()) penetration_.archive(file);
     if (settings_.chambers) file("warned_of_chambers", warned_of_chambers_);
     file("mass_at_start", at_start_.mass);
     file("momentum_at_start", at_start_.momentum);
@@ -338,6 +345,9 @@ void FluidRun::advance(const RunOptions& options, const Step& step) {
     const bool has_suction = fluid_.reference().suction() > 0;
     if (VoidMonitor::wants(step_) || has_suction)
         if (const auto opened = voids_.look(particles_, ranks_, time_, has_suction)) warnings.push_back(*opened);
+    if (watches_contact() && PenetrationMonitor::wants(step_))
+        if (const auto passed = penetration_.look(particles_, fluid_.neighbours().list(), ranks_, time_))
+            warnings.push_back(*passed);
     if (VelocityChange::wants(step_)) velocity_change_.add(particles_, ranks_, time_);
     if (settings_.chambers && step_ % steps_between_checks == 0)
         std::ranges::move(new_chamber_warnings(), std::back_inserter(warnings));
@@ -414,6 +424,7 @@ RunSummary FluidRun::summary() const {
     summary.density_drift = fluid_.reference().density_drift();
     summary.chambers = fluid_.reference().chamber_drifts();
     if (const auto opened = voids_.warning()) summary.warnings.push_back(*opened);
+    if (const auto passed = penetration_.warning()) summary.warnings.push_back(*passed);
     std::ranges::move(chamber_warnings(), std::back_inserter(summary.warnings));
     if (const auto drift = drift_warning(summary.density_drift)) summary.warnings.push_back(*drift);
     summary.lost = static_cast<std::size_t>(

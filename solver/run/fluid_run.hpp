@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "solver/monitor/concentration_monitor.hpp"
+#include "solver/monitor/penetration_monitor.hpp"
 #include "solver/monitor/stability_monitor.hpp"
 #include "solver/monitor/void_monitor.hpp"
 #include "solver/output/mean_displacement.hpp"
@@ -54,6 +55,7 @@ class FluidRun final : public Run {
   private:
     [[nodiscard]] Conserved conserved() const;
     [[nodiscard]] bool may_change_chambers() const;
+    [[nodiscard]] bool watches_contact() const;
     /// Of the first chambers whose density drifts too far; then none any more.
     std::vector<Warning> new_chamber_warnings();
     [[nodiscard]] std::vector<Warning> chamber_warnings() const;
@@ -85,6 +87,7 @@ class FluidRun final : public Run {
     StabilityMonitor monitor_;
     ConcentrationMonitor concentrations_;
     VoidMonitor voids_;
+    PenetrationMonitor penetration_;
 
     double time_ = 0;  ///< [s]
     std::int64_t step_ = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <omp.h>
 
@@ -261,7 +262,9 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
                 scales.diffusivity = std::max(scales.diffusivity, **diffusivity);
     if (settings.repulsion_strength > 0 && set.size() > 0) {
         const std::vector<double> mass = node_masses(scene, set, liquid_in_leaflets(settings));
-        const double lightest = *std::min_element(mass.begin(), mass.end());
+        double lightest = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < set.size(); ++i)  // walls have no mass, and what is held does not swing
+            if (set.kind(i) != PartKind::rigid && !set.fixed[i]) lightest = std::min(lightest, mass[i]);
         const double range = scene.contact.range * scene.particles.spacing;
         scales.contact_limit = Repulsion{settings.repulsion_strength}.step_limit(range, lightest);
     }

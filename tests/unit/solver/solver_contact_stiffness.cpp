@@ -114,6 +114,19 @@ SceneAndParticles squeezed_rod() {
     return made;
 }
 
+// Walls have no mass, and what is held does not swing: neither makes the limit vanish or shorter.
+TEST(ContactStiffness, of_walls_and_held_nodes_leaves_the_step_its_limit) {
+    SceneAndParticles made = squeezed_rod();
+    const auto limit = [&] {
+        const PairSettings settings = pair_settings(made.scene, made.particles, Resources(1));
+        return step_scales(made.scene, made.particles, settings, 1).contact_limit;
+    };
+    const double of_alike = limit();
+    EXPECT_GT(of_alike, 0);
+    for (const std::size_t held : {0, 1, 4, 5}) made.particles.mass[held] = 0;
+    EXPECT_EQ(limit(), of_alike);
+}
+
 TEST(ContactStiffness, shortens_the_step_for_light_nodes_that_are_pressed_together) {
     const SceneAndParticles made = squeezed_rod();
     KeptFrames kept;
