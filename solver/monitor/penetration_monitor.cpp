@@ -2,7 +2,9 @@
 #include "solver/monitor/penetration_monitor.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/number_text.hpp"
 #include "solver/output/fluid_fields.hpp"
@@ -11,67 +13,152 @@ namespace dmp::solver {
 
 namespace {
 
-Vec vector_of(const ParticleGroup& group, Field field, std::size_t i) {
-    Vec value = Vec::Zero();
-    for (int axis = 0; axis < group.dimension(); ++axis) value[axis] = group.data(field, axis)[i];
-    return value;
-}
+/// Distances of a place in a solid to the nearest of its particles, and to those of the layers around it, at most; in
+/// spacings.
+constexpr double to_nearest_inside = 0.9, to_layers_around = 1.2;
 
-struct Nearest {
-    double distance = std::numeric_limits<double>::infinity();
-    const ParticleGroup* group = nullptr;
-    std::size_t index = 0;
+/// The particles of one solid that are near a place: a wall's part, or an elastic body.
+struct NearSolid {
+    PartKind kind = PartKind::rigid;
+    std::int32_t part = 0, body = -1;
+    double square = std::numeric_limits<double>::infinity();  ///< of the nearest distance [m^2]
+    std::int64_t id = 0;                                      ///< of the nearest
+    Vec normal = Vec::Zero();                                 ///< of the nearest
+    double behind = std::numeric_limits<double>::infinity();  ///< the surface, by the particle that says least [m]
+    std::vector<Vec> apart;                                   ///< to its particles [m]
+
+    /// Whether there are particles deeper in than the place: it is not on the far side of a thin sheet.
+    [[nodiscard]] bool goes_on() const {
+        return std::ranges::any_of(apart, [&](const Vec& to) { return to.dot(normal) < 0; });
+    }
 };
 
-/// Calls visit(node, nearest) for each owned elastic particle, with the nearest particle of another body or wall;
-/// `other_parts`: of another part.
+class SolidFields {
+  public:
+    explicit SolidFields(const ParticleGroup& group)
+        : group_(group),
+          shows_surface_(group.has(Field::wall_normal)),
+          has_far_side_(group.kind() == PartKind::elastic) {
+        for (int axis = 0; axis < group.dimension(); ++axis) position_[axis] = group.data(Field::position, axis);
+    }
+    [[nodiscard]] Vec position(std::size_t i) const {
+        Vec place = Vec::Zero();
+        for (int axis = 0; axis < group_.dimension(); ++axis) place[axis] = position_[axis][i];
+        return place;
+    }
+    [[nodiscard]] double distance_square(std::size_t i, const Vec& place) const {
+        double square = 0;
+        for (int axis = 0; axis < group_.dimension(); ++axis) {
+            const double apart = position_[axis][i] - place[axis];
+            square += apart * apart;
+        }
+        return square;
+    }
+    [[nodiscard]] Vec normal(std::size_t i) const {
+        Vec normal = Vec::Zero();
+        for (int axis = 0; shows_surface_ && axis < group_.dimension(); ++axis)
+            normal[axis] = group_.data(Field::wall_normal, axis)[i];
+        return normal;
+    }
+    /// How far a place, `from_particle` i, is behind the surface that i shows [m]; infinite where it shows none.
+    [[nodiscard]] double behind(std::size_t i, const Vec& from_particle) const {
+        const Vec n = normal(i);
+        if (n.isZero()) return std::numeric_limits<double>::infinity();
+        const double height = from_particle.dot(n);
+        const double depth = group_.data(Field::wall_distance)[i] - height;
+        return has_far_side_ ? std::min(depth, group_.data(Field::opposite_distance)[i] + height) : depth;
+    }
+    /// To which contact keeps a particle from others, of walls or of bodies [m].
+    [[nodiscard]] double range(std::size_t i, Field field, double usual) const {
+        return group_.has(field) ? group_.data(field)[i] : usual;
+    }
+    [[nodiscard]] const ParticleTag& tag(std::size_t i) const { return group_.tags()[i]; }
+
+  private:
+    const ParticleGroup& group_;
+    bool shows_surface_, has_far_side_;
+    std::array<const double*, 3> position_{};
+};
+
+/// Calls visit(node, near) for each solid near each owned elastic particle; in scenes where bodies change, pieces of
+/// one part are one solid.
 template <class Visit>
-void for_each_nearest(const ParticleStore& particles, const ClusterList& list, bool other_parts, const Visit& visit) {
-    const ParticleGroup& nodes = particles.of(PartKind::elastic);
+void for_each_near(const Scene& scene, const ParticleStore& particles, const ClusterList& list, const Visit& visit) {
+    const double farthest = to_layers_around * scene.particles.spacing;
+    const ParticleGroup& elastic = particles.of(PartKind::elastic);
+    const SolidFields nodes(elastic);
     const auto clusters = list.clusters(PartKind::elastic);
+    std::vector<NearSolid> solids;
     for (std::size_t number = 0; number < clusters.size(); ++number) {
-        const Cluster& cluster = clusters[number];
-        for (std::int32_t node = cluster.first; node < cluster.first + cluster.count; ++node) {
-            const auto i = static_cast<std::size_t>(node);
-            if (i >= nodes.owned()) continue;
-            const Vec place = vector_of(nodes, Field::position, i);
-            Nearest nearest;
+        const auto end =
+            std::min(static_cast<std::size_t>(clusters[number].first + clusters[number].count), elastic.owned());
+        for (auto i = static_cast<std::size_t>(clusters[number].first); i < end; ++i) {
+            const Vec place = nodes.position(i);
+            solids.clear();
             for (const PartKind kind : {PartKind::rigid, PartKind::elastic}) {
-                const ParticleGroup& others = particles.of(kind);
+                const SolidFields others(particles.of(kind));
                 for (const std::int32_t index : list.neighbours(PartKind::elastic, number, kind)) {
                     const auto j = static_cast<std::size_t>(index);
-                    if (other_parts && others.tags()[j].part == nodes.tags()[i].part) continue;
-                    const double distance = (vector_of(others, Field::position, j) - place).norm();
-                    if (distance < nearest.distance) nearest = {distance, &others, j};
+                    const double square = others.distance_square(j, place);
+                    if (square >= farthest * farthest) continue;
+                    const ParticleTag& tag = others.tag(j);
+                    if (scene.changes_bodies() && tag.part == nodes.tag(i).part) continue;
+                    const std::int32_t body = kind == PartKind::rigid ? -1 : tag.body;
+                    auto near = std::ranges::find_if(solids, [&](const NearSolid& each) {
+                        return each.kind == kind && each.part == tag.part && each.body == body;
+                    });
+                    if (near == solids.end()) {
+                        near = solids.emplace(near);
+                        near->kind = kind;
+                        near->part = tag.part;
+                        near->body = body;
+                    }
+                    const Vec from_particle = place - others.position(j);
+                    near->behind = std::min(near->behind, others.behind(j, from_particle));
+                    near->apart.push_back(-from_particle);
+                    if (std::pair(square, tag.id) < std::pair(near->square, near->id)) {
+                        near->square = square;
+                        near->id = tag.id;
+                        near->normal = others.normal(j);
+                    }
                 }
             }
-            if (nearest.group != nullptr) visit(i, nearest);
+            for (const NearSolid& near : solids) visit(i, near);
         }
     }
 }
 
-/// How far a place is behind the surface that particle j shows [m]; 0 for sheets thinner than a spacing, and where
-/// there is none: in scenes without a liquid, of round particles.
-double depth_behind(const ParticleGroup& solid, std::size_t j, const Vec& place, double spacing) {
-    if (!solid.has(Field::wall_normal)) return 0;
-    const Vec normal = vector_of(solid, Field::wall_normal, j);
-    const double depth = solid.data(Field::wall_distance)[j];
-    if (normal.isZero()) return 0;
-    if (solid.kind() == PartKind::elastic && depth + solid.data(Field::opposite_distance)[j] < spacing) return 0;
-    return depth - (place - vector_of(solid, Field::position, j)).dot(normal);
-}
+struct Penetration {
+    double depth;  ///< behind the surface; 0: not known [m]
+    double distance;
+};
 
-/// Distance to which the repulsion never lets particles of different solids come, if it is strong enough [m].
-double too_near(const Scene& scene) { return std::min(0.4, 0.57 * scene.contact.range) * scene.particles.spacing; }
+/// Whether an elastic particle has passed into the solid.
+std::optional<Penetration> penetration(const Scene& scene, const SolidFields& nodes, std::size_t i,
+                                       const NearSolid& near) {
+    const double spacing = scene.particles.spacing, distance = std::sqrt(near.square);
+    if (distance > to_nearest_inside * spacing) return {};
+    const bool is_wall = near.kind == PartKind::rigid;
+    const double range =
+        nodes.range(i, is_wall ? Field::wall_contact_range : Field::contact_range, scene.contact.range * spacing);
+    if (range == 0) return {};  // drawn against the wall, or solidified there
+    // New surfaces of torn bodies are not known.
+    const bool knows_surface = is_wall || !scene.changes_bodies();
+    if (knows_surface && std::isfinite(near.behind) && near.behind > 0.5 * spacing && near.goes_on())
+        return Penetration{near.behind, distance};
+    // The repulsion never lets them come so near if it is strong enough.
+    if (distance < std::min(0.4 * spacing, 0.57 * range)) return Penetration{0, distance};
+    return {};
+}
 
 }  // namespace
 
 void PenetrationMonitor::start(const ParticleStore& particles, const ClusterList& list, const Ranks& ranks) {
-    const double beside = 1.2 * scene_.particles.spacing;
+    const SolidFields nodes(particles.of(PartKind::elastic));
     beside_.clear();
-    for_each_nearest(particles, list, scene_.changes_bodies(), [&](std::size_t i, const Nearest& nearest) {
-        if (nearest.distance < beside)
-            beside_.push_back(static_cast<double>(particles.of(PartKind::elastic).tags()[i].id));
+    for_each_near(scene_, particles, list, [&](std::size_t i, const NearSolid& near) {
+        if (near.kind == PartKind::rigid || penetration(scene_, nodes, i, near))
+            beside_.push_back(static_cast<double>(nodes.tag(i).id));
     });
     beside_ = ranks.all_gather<double>(beside_);
     std::ranges::sort(beside_);
@@ -85,24 +172,20 @@ std::optional<Warning> PenetrationMonitor::look(const ParticleStore& particles, 
         std::int64_t particle, part, other;
         std::array<double, 3> place;
     };
-    const double spacing = scene_.particles.spacing;
-    const ParticleGroup& nodes = particles.of(PartKind::elastic);
+    const ParticleGroup& elastic = particles.of(PartKind::elastic);
+    const SolidFields nodes(elastic);
     std::vector<Found> deepest;  // of this rank: one, or none
     const auto is_before = [](const Found& a, const Found& b) {
         if (a.depth != b.depth) return a.depth > b.depth;
-        return a.distance != b.distance ? a.distance < b.distance : a.particle < b.particle;
+        if (a.distance != b.distance) return a.distance < b.distance;
+        return std::pair(a.particle, a.other) < std::pair(b.particle, b.other);
     };
-    for_each_nearest(particles, list, scene_.changes_bodies(), [&](std::size_t i, const Nearest& nearest) {
-        // Any place in a solid is nearer than that to one of its particles.
-        if (nearest.distance > 0.9 * spacing) return;
-        double behind = depth_behind(*nearest.group, nearest.index, vector_of(nodes, Field::position, i), spacing);
-        if (behind < 0.5 * spacing) behind = 0;
-        const ParticleTag& tag = nodes.tags()[i];
-        if (behind == 0 && nearest.distance > too_near(scene_)) return;
-        if (std::ranges::binary_search(beside_, static_cast<double>(tag.id))) return;
-        const Vec place = shown_place(nodes, particles.space(), i);
-        const std::int64_t other = nearest.group->tags()[nearest.index].part;
-        const Found here{behind, nearest.distance, tag.id, tag.part, other, {place[0], place[1], place[2]}};
+    for_each_near(scene_, particles, list, [&](std::size_t i, const NearSolid& near) {
+        const std::optional<Penetration> passed = penetration(scene_, nodes, i, near);
+        const ParticleTag& tag = nodes.tag(i);
+        if (!passed || std::ranges::binary_search(beside_, static_cast<double>(tag.id))) return;
+        const Vec place = shown_place(elastic, particles.space(), i);
+        const Found here{passed->depth, passed->distance, tag.id, tag.part, near.part, {place[0], place[1], place[2]}};
         if (deepest.empty())
             deepest.push_back(here);
         else if (is_before(here, deepest.front()))
@@ -122,6 +205,15 @@ std::optional<Warning> PenetrationMonitor::look(const ParticleStore& particles, 
     return warning();
 }
 
+/// A strength that suits the material of the stiffest part, 0.002 E r*^2 on a depth of 1 m or r* [J]; 0: it is not
+/// given by a modulus.
+double PenetrationMonitor::strength_by_material() const {
+    const double range = scene_.contact.range * scene_.particles.spacing;
+    double modulus = 0;
+    for (const Part* part : scene_.parts_of(PartKind::elastic)) modulus = std::max(modulus, part->youngs_modulus.value);
+    return 0.002 * modulus * range * range * (scene_.dimension == 3 ? range : 1);
+}
+
 std::optional<Warning> PenetrationMonitor::warning() const {
     if (particle_ < 0) return {};
     std::string place;
@@ -136,14 +228,18 @@ std::optional<Warning> PenetrationMonitor::warning() const {
                       number_text((depth_ > 0 ? depth_ : distance_) / scene_.particles.spacing, 2) +
                       (depth_ > 0 ? " spacings behind its surface" : " spacings from one of its particles") + ", at (" +
                       place + "). What the run gives of these solids from then on is wrong";
-    warning.what_to_do = strength_ > 0 ? "give a contact.strength of " + number_text(10 * strength_, 2) + " to " +
-                                             number_text(100 * strength_, 2) + " J, and look at the frames"
-                                       : "give one in J, and look at the frames";
+    const double by_material = strength_by_material();
+    warning.what_to_do = (strength_ > 0 ? "give a contact.strength of " + number_text(10 * strength_, 2) + " to " +
+                                              number_text(100 * strength_, 2) + " J"
+                          : by_material > 0 ? "give one of about " + number_text(by_material, 2) + " J"
+                                            : std::string("give one in J")) +
+                         ", and look at the frames";
     return warning;
 }
 
+void PenetrationMonitor::archive_start(Archive& file) { file("penetration/beside", beside_); }
+
 void PenetrationMonitor::archive(Archive& file) {
-    file("penetration/beside", beside_);
     file("penetration/particle", particle_);
     file("penetration/part", part_);
     file("penetration/other", other_);

@@ -19,8 +19,9 @@ namespace dmp::solver {
 
 /// Looks for particles of elastic solids that have passed into another solid: those more than half a spacing behind the
 /// surface of a wall or of another body, or nearer than 0.4 spacings to one of its particles (0.57 of a short range).
-/// The contact's repulsion keeps them in front of it. What is nearer than 1.2 spacings to another body at the start, as
-/// where solids are joined, does not count; nor do pieces of one part in scenes where bodies change.
+/// The contact's repulsion keeps them in front of it. Particles nearer than 1.2 spacings to a wall at the start, as
+/// where a solid is held, do not count, nor do those that are in another solid then. Where bodies change, pieces of one
+/// part are not told from each other, and torn bodies have no surface.
 class PenetrationMonitor {
   public:
     /// @param strength of the contact's repulsion [J]
@@ -36,9 +37,14 @@ class PenetrationMonitor {
 
     [[nodiscard]] std::optional<Warning> warning() const;
 
+    /// What start() noted, which belongs to the state.
+    void archive_start(Archive& file);
+    /// What was found.
     void archive(Archive& file);
 
   private:
+    [[nodiscard]] double strength_by_material() const;
+
     const Scene& scene_;
     double strength_;                ///< [J]
     std::vector<double> beside_;     ///< ids of particles that do not count, ascending

@@ -77,7 +77,7 @@ void FluidRun::start(FrameSink* sink) {
     if (step_ == 0) fluid_.take_initial_gradients(time_);
     if (step_ == 0) fluid_.find_chambers();
     if (step_ == 0) fluid_.update_contact_rate();
-    if (watches_contact() && frames_ == 0) penetration_.start(particles_, fluid_.neighbours().list(), ranks_);
+    if (watches_contact() && step_ == 0) penetration_.start(particles_, fluid_.neighbours().list(), ranks_);
     extremes_ = fluid_.extremes();
     if (step_ == 0) write_what_is_due(sink);
     if (starts_from_state() && frames_ == 0) start_from_state(sink);
@@ -166,6 +166,7 @@ void FluidRun::archive(Archive& file) {
     frame_times_.archive(file, "frames_due", time_);
     measure_times_.archive(file, "measures_due", time_);
     if (!file.starts_run()) archive_accounts(file);
+    if (watches_contact()) penetration_.archive_start(file);
     events_.archive(file, time_);
     if (file.loading() && events_.next() * (1 + 1e-9) < time_) throw unlike_any_run("an event that is long due");
     const auto all = [&] { return ranks_.sum(static_cast<std::int64_t>(particles_.owned())); };

@@ -263,10 +263,11 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     if (settings.repulsion_strength > 0 && set.size() > 0) {
         const std::vector<double> mass = node_masses(scene, set, liquid_in_leaflets(settings));
         double lightest = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < set.size(); ++i)  // walls have no mass, and what is held does not swing
+        for (std::size_t i = 0; i < set.size(); ++i)  // without a fluid walls have no mass; what is held does not swing
             if (set.kind(i) != PartKind::rigid && !set.fixed[i]) lightest = std::min(lightest, mass[i]);
         const double range = scene.contact.range * scene.particles.spacing;
-        scales.contact_limit = Repulsion{settings.repulsion_strength}.step_limit(range, lightest);
+        if (std::isfinite(lightest))
+            scales.contact_limit = Repulsion{settings.repulsion_strength}.step_limit(range, lightest);
     }
     return scales;
 }

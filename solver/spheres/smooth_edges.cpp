@@ -10,8 +10,8 @@ namespace dmp::solver {
 
 namespace {
 
-/// Corners closer than this part of the box are one across a periodic side.
-constexpr double one_corner = 1e-9;
+/// Corners closer than this part of the box are one across a periodic side; binary STL files have single precision.
+constexpr double one_corner = 1e-6;
 
 /// The number of each corner, alike for corners that a period along an axis separates.
 std::vector<int> corner_numbers(const ParticleSpace& space) {

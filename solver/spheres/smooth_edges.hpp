@@ -11,10 +11,11 @@
 namespace dmp::solver {
 
 /// Which triangles of walls belong to one smooth surface: those of one part that share an edge, also across a periodic
-/// side, at which they bend by less than 30 degrees. Whether triangles face the same side does not matter.
+/// side, at which they bend by less than 32 degrees: more than those of a tube of 12 facets. Whether triangles face the
+/// same side does not matter.
 class SmoothEdges {
   public:
-    static constexpr double largest_bend_cosine = 0.8660254037844386;  ///< of 30 degrees
+    static constexpr double largest_bend_cosine = 0.8480480961564260;  ///< of 32 degrees
 
     explicit SmoothEdges(const ParticleSpace& space);
 

@@ -125,6 +125,14 @@ TEST(ContactStiffness, of_walls_and_held_nodes_leaves_the_step_its_limit) {
     EXPECT_GT(of_alike, 0);
     for (const std::size_t held : {0, 1, 4, 5}) made.particles.mass[held] = 0;
     EXPECT_EQ(limit(), of_alike);
+    made.particles.parts.push_back({"wall", PartKind::rigid});
+    for (const std::size_t at_wall : {0, 1}) {
+        made.particles.part[at_wall] = static_cast<int>(made.particles.parts.size()) - 1;
+        made.particles.fixed[at_wall] = 0;
+    }
+    EXPECT_EQ(limit(), of_alike);
+    std::ranges::fill(made.particles.fixed, 1);
+    EXPECT_EQ(limit(), 0);  // nothing swings
 }
 
 TEST(ContactStiffness, shortens_the_step_for_light_nodes_that_are_pressed_together) {

@@ -145,30 +145,49 @@ Vec force_on(SphereScene made) {
     return {force[0], force[1], force[2]};
 }
 
-TEST(SmoothEdges, below_thirty_degrees_are_smooth_and_above_are_corners) {
+TEST(SmoothEdges, below_32_degrees_are_smooth_and_above_are_corners) {
     const auto pressed = [](double bend) {
         const double up = 1 / std::cos(bend / 2 * degree);  // as deep in both plates as in one
         return force_on(ball_before(fold(bend), Vec(0, 0.0021, (ball_radius - 1e-6) * up), Vec::Zero()));
     };
     const double once = pressed(0)[2];
-    EXPECT_NEAR(pressed(29).norm() / once, 1, 1e-7);
-    EXPECT_NEAR(pressed(31)[2] / once, 2 * std::cos(15.5 * degree), 1e-7);
-    EXPECT_NEAR(pressed(31)[0] / once, 0, 1e-7);
+    for (const double smooth : {30.0, 31.9}) {
+        EXPECT_NEAR(pressed(smooth).norm() / once, 1, 1e-7);
+        EXPECT_NEAR(pressed(smooth)[2] / once, std::cos(smooth / 2 * degree), 1e-7);
+    }
+    EXPECT_NEAR(pressed(33)[2] / once, 2 * std::cos(16.5 * degree), 1e-7);
+    EXPECT_NEAR(pressed(33)[0] / once, 0, 1e-7);
+}
+
+/// A floor that falls and rises by 5 degrees between places along y.
+Facets valley(const std::vector<double>& places, const std::vector<double>& heights) {
+    Facets made;
+    for (std::size_t k = 0; k < places.size(); ++k)
+        for (const double x : {-0.01, 0.01}) made.corner(Vec(x, places[k], heights[k]));
+    for (int k = 0; k + 1 < static_cast<int>(places.size()); ++k) made.quad(2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2);
+    return made;
 }
 
 TEST(SmoothEdges, go_on_across_a_periodic_side) {
-    const double low = -0.004, high = 0.004;
-    SphereScene made = ball_before(tube(90, 0.005, low, high, 0), Vec(0, 0, -0.005 + ball_radius - 1e-6), Vec::Zero());
-    made.set.periodic = {false, true, false};
-    made.set.box = {Vec(-0.01, low, -0.01), Vec(0.01, high, 0.01)};
-    const double inside = force_on(made).norm();
-    made.set.position.front()[1] = low;
-    EXPECT_NEAR(force_on(made).norm() / inside, 1, 1e-6);
-    const SmoothEdges edges(made.set);
-    EXPECT_TRUE(edges.join(0, 1));  // two halves of a facet
-    EXPECT_TRUE(edges.join(0, 2 + 1) || edges.join(1, 2));
-    EXPECT_TRUE(edges.join(0, 1) && !edges.join(0, 0));
-    EXPECT_FALSE(edges.join(0, 10));
+    const double low = -0.004, high = 0.004, rise = high * std::tan(5 * degree);
+    const auto floor_of = [&](double middle, double side) {
+        return ball_before(valley({low, 0, high}, {side, middle, side}), Vec(0, 0, 0), Vec::Zero());
+    };
+    const double up = (ball_radius - 1e-6) / std::cos(5 * degree);
+    SphereScene inside = floor_of(0, rise), across = floor_of(rise, 0);
+    inside.set.position.front() = Vec(0, 0, up);
+    across.set.position.front() = Vec(0, low, up);
+    for (SphereScene* made : {&inside, &across}) {
+        made->set.periodic = {false, true, false};
+        made->set.box = {Vec(-0.01, low, -0.01), Vec(0.01, high, 0.01)};
+    }
+    EXPECT_NEAR(force_on(across).norm() / force_on(inside).norm(), 1, 1e-6);
+    const SmoothEdges edges(across.set);
+    EXPECT_TRUE(edges.join(0, 1));  // the halves of a quad
+    EXPECT_TRUE(edges.join(0, 3));  // the first half is at the low side, the last one at the high side
+    EXPECT_TRUE(edges.join(3, 0));
+    across.set.periodic = {};
+    EXPECT_FALSE(SmoothEdges(across.set).join(0, 3));
 }
 
 // Touches on opposite sides of one smooth surface hold the ball from both.
