@@ -186,6 +186,7 @@ std::vector<SphereWalls::Touch> SphereWalls::touches_of(const ListedSphere& sphe
         if (touch.distance < motion.radius() + contact_reach(pair.model, pair.constants, motion.radius()))
             near.push_back(touch);
     }
+    if (near.size() < 2) return near;
     const std::vector<std::size_t> surface = smooth_surfaces(near);
     std::vector<std::size_t> deepest_first(near.size()), kept;
     std::iota(deepest_first.begin(), deepest_first.end(), std::size_t{0});
