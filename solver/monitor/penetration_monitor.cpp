@@ -17,22 +17,6 @@ namespace {
 /// spacings.
 constexpr double to_nearest_inside = 0.9, to_layers_around = 1.2;
 
-/// The particles of one solid that are near a place: a wall's part, or an elastic body.
-struct NearSolid {
-    PartKind kind = PartKind::rigid;
-    std::int32_t part = 0, body = -1;
-    double square = std::numeric_limits<double>::infinity();  ///< of the nearest distance [m^2]
-    std::int64_t id = 0;                                      ///< of the nearest
-    Vec normal = Vec::Zero();                                 ///< of the nearest
-    double behind = std::numeric_limits<double>::infinity();  ///< the surface, by the particle that says least [m]
-    std::vector<Vec> apart;                                   ///< to its particles [m]
-
-    /// Whether there are particles deeper in than the place: it is not on the far side of a thin sheet.
-    [[nodiscard]] bool goes_on() const {
-        return std::ranges::any_of(apart, [&](const Vec& to) { return to.dot(normal) < 0; });
-    }
-};
-
 class SolidFields {
   public:
     explicit SolidFields(const ParticleGroup& group)
@@ -80,49 +64,68 @@ class SolidFields {
     std::array<const double*, 3> position_{};
 };
 
-/// Calls visit(node, near) for each solid near each owned elastic particle; in scenes where bodies change, pieces of
-/// one part are one solid.
+/// The particles of one solid that are near a place: a wall's part, or an elastic body.
+struct NearSolid {
+    PartKind kind = PartKind::rigid;
+    std::int32_t part = 0, body = -1;
+    double square = std::numeric_limits<double>::infinity();  ///< of the nearest distance [m^2]
+    std::int64_t id = 0;                                      ///< of the nearest
+    Vec normal = Vec::Zero();                                 ///< of the nearest
+    double behind = std::numeric_limits<double>::infinity();  ///< the surface, by the particle that says least [m]
+    std::vector<Vec> apart;                                   ///< to its particles [m]
+
+    void add(const SolidFields& of, std::size_t j, double distance_square, const Vec& from_particle) {
+        behind = std::min(behind, of.behind(j, from_particle));
+        apart.push_back(-from_particle);
+        if (std::pair(distance_square, of.tag(j).id) >= std::pair(square, id)) return;
+        square = distance_square;
+        id = of.tag(j).id;
+        normal = of.normal(j);
+    }
+    /// Whether there are particles deeper in than the place: it is not on the far side of a thin sheet.
+    [[nodiscard]] bool goes_on() const {
+        return std::ranges::any_of(apart, [&](const Vec& to) { return to.dot(normal) < 0; });
+    }
+};
+
+/// The entry of a particle's solid, which begins with the first particle.
+NearSolid& solid_of(std::vector<NearSolid>& solids, PartKind kind, const ParticleTag& tag) {
+    const std::int32_t body = kind == PartKind::rigid ? -1 : tag.body;
+    const auto found = std::ranges::find_if(
+        solids, [&](const NearSolid& each) { return each.kind == kind && each.part == tag.part && each.body == body; });
+    if (found != solids.end()) return *found;
+    NearSolid& made = solids.emplace_back();
+    made.kind = kind;
+    made.part = tag.part;
+    made.body = body;
+    return made;
+}
+
+/// Calls visit(node, near) for each solid near each owned elastic particle; in scenes where bodies change, without the
+/// other bodies of its own part.
 template <class Visit>
 void for_each_near(const Scene& scene, const ParticleStore& particles, const ClusterList& list, const Visit& visit) {
     const double farthest = to_layers_around * scene.particles.spacing;
     const ParticleGroup& elastic = particles.of(PartKind::elastic);
-    const SolidFields nodes(elastic);
-    const auto clusters = list.clusters(PartKind::elastic);
+    const SolidFields nodes(elastic), walls(particles.of(PartKind::rigid));
     std::vector<NearSolid> solids;
+    const auto add = [&](std::size_t i, const Vec& place, PartKind kind, std::size_t j) {
+        const SolidFields& others = kind == PartKind::rigid ? walls : nodes;
+        const double square = others.distance_square(j, place);
+        if (square >= farthest * farthest) return;
+        if (scene.changes_bodies() && others.tag(j).part == nodes.tag(i).part) return;
+        solid_of(solids, kind, others.tag(j)).add(others, j, square, place - others.position(j));
+    };
+    const auto clusters = list.clusters(PartKind::elastic);
     for (std::size_t number = 0; number < clusters.size(); ++number) {
-        const auto end =
-            std::min(static_cast<std::size_t>(clusters[number].first + clusters[number].count), elastic.owned());
-        for (auto i = static_cast<std::size_t>(clusters[number].first); i < end; ++i) {
+        const auto first = static_cast<std::size_t>(clusters[number].first);
+        const std::size_t end = std::min(first + static_cast<std::size_t>(clusters[number].count), elastic.owned());
+        for (std::size_t i = first; i < end; ++i) {
             const Vec place = nodes.position(i);
             solids.clear();
-            for (const PartKind kind : {PartKind::rigid, PartKind::elastic}) {
-                const SolidFields others(particles.of(kind));
-                for (const std::int32_t index : list.neighbours(PartKind::elastic, number, kind)) {
-                    const auto j = static_cast<std::size_t>(index);
-                    const double square = others.distance_square(j, place);
-                    if (square >= farthest * farthest) continue;
-                    const ParticleTag& tag = others.tag(j);
-                    if (scene.changes_bodies() && tag.part == nodes.tag(i).part) continue;
-                    const std::int32_t body = kind == PartKind::rigid ? -1 : tag.body;
-                    auto near = std::ranges::find_if(solids, [&](const NearSolid& each) {
-                        return each.kind == kind && each.part == tag.part && each.body == body;
-                    });
-                    if (near == solids.end()) {
-                        near = solids.emplace(near);
-                        near->kind = kind;
-                        near->part = tag.part;
-                        near->body = body;
-                    }
-                    const Vec from_particle = place - others.position(j);
-                    near->behind = std::min(near->behind, others.behind(j, from_particle));
-                    near->apart.push_back(-from_particle);
-                    if (std::pair(square, tag.id) < std::pair(near->square, near->id)) {
-                        near->square = square;
-                        near->id = tag.id;
-                        near->normal = others.normal(j);
-                    }
-                }
-            }
+            for (const PartKind kind : {PartKind::rigid, PartKind::elastic})
+                for (const std::int32_t j : list.neighbours(PartKind::elastic, number, kind))
+                    add(i, place, kind, static_cast<std::size_t>(j));
             for (const NearSolid& near : solids) visit(i, near);
         }
     }

@@ -44,7 +44,7 @@ std::vector<int> corner_numbers(const ParticleSpace& space) {
 
 struct Side {
     std::array<int, 3> edge;  ///< the part and the edge's corners, the lower number first
-    std::int32_t triangle;
+    std::size_t triangle;
     Vec inward;  ///< unit vector across the edge, along the triangle; 0 for a triangle without area
 };
 
@@ -60,9 +60,7 @@ std::vector<Side> sides_of(const ParticleSpace& space) {
             const Vec along = (space.wall_corners[b] - space.wall_corners[a]).normalized();
             const Vec to_third = space.wall_corners[c] - space.wall_corners[a];
             const auto [lower, upper] = std::minmax(number[a], number[b]);
-            sides.push_back({{triangle.part, lower, upper},
-                             static_cast<std::int32_t>(t),
-                             (to_third - to_third.dot(along) * along).normalized()});
+            sides.push_back({{triangle.part, lower, upper}, t, (to_third - to_third.dot(along) * along).normalized()});
         }
     }
     std::ranges::sort(sides, {}, [](const Side& side) { return std::pair(side.edge, side.triangle); });
@@ -72,27 +70,16 @@ std::vector<Side> sides_of(const ParticleSpace& space) {
 }  // namespace
 
 SmoothEdges::SmoothEdges(const ParticleSpace& space) {
-    std::vector<std::array<std::int32_t, 2>> joins;
     const std::vector<Side> sides = sides_of(space);
     for (std::size_t i = 0; i < sides.size(); ++i)
-        for (std::size_t j = i + 1; j < sides.size() && sides[j].edge == sides[i].edge; ++j) {
-            if (-sides[i].inward.dot(sides[j].inward) <= largest_bend_cosine) continue;
-            joins.push_back({sides[i].triangle, sides[j].triangle});
-            joins.push_back({sides[j].triangle, sides[i].triangle});
-        }
-    std::ranges::sort(joins);
-    first_.assign(space.wall_triangles.size() + 1, 0);
-    for (const auto& [from, to] : joins) {
-        ++first_[static_cast<std::size_t>(from) + 1];
-        joined_.push_back(to);
-    }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        for (std::size_t j = i + 1; j < sides.size() && sides[j].edge == sides[i].edge; ++j)
+            if (-sides[i].inward.dot(sides[j].inward) > largest_bend_cosine)
+                joined_.push_back({sides[i].triangle, sides[j].triangle});
+    std::ranges::sort(joined_);
 }
 
 bool SmoothEdges::join(std::size_t a, std::size_t b) const {
-    const auto begin = joined_.begin() + static_cast<std::ptrdiff_t>(first_[a]),
-               end = joined_.begin() + static_cast<std::ptrdiff_t>(first_[a + 1]);
-    return std::find(begin, end, static_cast<std::int32_t>(b)) != end;
+    return std::ranges::binary_search(joined_, std::array{std::min(a, b), std::max(a, b)});
 }
 
 }  // namespace dmp::solver

@@ -1,8 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
-#include <span>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "particles/particle_set.hpp"
@@ -23,8 +23,7 @@ class SmoothEdges {
     [[nodiscard]] bool join(std::size_t a, std::size_t b) const;
 
   private:
-    std::vector<std::size_t> first_;  ///< of each triangle's in `joined_`, and their end
-    std::vector<std::int32_t> joined_;
+    std::vector<std::array<std::size_t, 2>> joined_;  ///< pairs of triangles, the lower number first; ascending
 };
 
 }  // namespace dmp::solver

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/closest_point.hpp"
+#include "base/disjoint_sets.hpp"
 #include "solver/spheres/triangle_grid.hpp"
 #include "solver/state/loaded_groups.hpp"
 
@@ -204,18 +205,15 @@ std::vector<SphereWalls::Touch> SphereWalls::touches_of(const ListedSphere& sphe
 
 /// The number of the smooth surface that each touch is on: that of its first touch.
 std::vector<std::size_t> SphereWalls::smooth_surfaces(const std::vector<Touch>& touches) const {
-    std::vector<std::size_t> number(touches.size());
-    std::iota(number.begin(), number.end(), std::size_t{0});
+    DisjointSets together(touches.size());
     const auto is_plane = [&](std::size_t k) { return static_cast<std::size_t>(touches[k].surface) < planes_.size(); };
+    const auto triangle = [&](std::size_t k) { return static_cast<std::size_t>(touches[k].surface) - planes_.size(); };
     for (std::size_t k = 0; k < touches.size(); ++k)
-        for (std::size_t before = 0; before < k; ++before) {
-            if (number[before] == number[k] || is_plane(before) || is_plane(k)) continue;
-            if (!smooth_edges_.join(static_cast<std::size_t>(touches[before].surface) - planes_.size(),
-                                    static_cast<std::size_t>(touches[k].surface) - planes_.size()))
-                continue;
-            const std::size_t first = std::min(number[before], number[k]), later = std::max(number[before], number[k]);
-            std::ranges::replace(number, later, first);
-        }
+        for (std::size_t before = 0; before < k; ++before)
+            if (!is_plane(before) && !is_plane(k) && smooth_edges_.join(triangle(before), triangle(k)))
+                together.join(before, k);
+    std::vector<std::size_t> number;
+    for (std::size_t k = 0; k < touches.size(); ++k) number.push_back(together.find(k));
     return number;
 }
 
