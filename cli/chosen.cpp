@@ -58,6 +58,13 @@ std::string contact_text(const Scene& scene) {
     const auto& contact = scene.contact;
     const Origins origin_text(scene);
     if (*contact.range == 0) return "none (" + origin_text(contact.range, "contact.range") + ")";
+    if (scene.has_surface_contact()) {
+        const std::string stiffness = *contact.stiffness == 0 ? "auto" : quantity_text(*contact.stiffness, "Pa/m");
+        return fmt::format("between surfaces ({}), stiffness {} ({}), friction {:.3g} ({})",
+                           origin_text(contact.between, "contact.between"), stiffness,
+                           origin_text(contact.stiffness, "contact.stiffness"), *contact.friction,
+                           origin_text(contact.friction, "contact.friction"));
+    }
     const std::string strength = *contact.strength == 0 ? "auto" : quantity_text(*contact.strength, "J");
     return fmt::format("repulsion within {:.3g} x the spacing ({}), strength {} ({})", *contact.range,
                        origin_text(contact.range, "contact.range"), strength,

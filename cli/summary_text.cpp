@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/length_text.hpp"
 #include "base/shell_word.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
@@ -115,6 +116,10 @@ std::string summary_text(const Scene& scene, const RunSummary& summary) {
     for (const LargestStrain& strain : summary.strains)
         list.add("strain", fmt::format("{} to {} in '{}'", percent_text(strain.compressed),
                                        percent_text(strain.stretched), strain.name));
+    if (summary.contact)
+        list.add("contact", fmt::format("surfaces up to {} in each other ({:.2g} spacings), at {:.4g} s",
+                                        length_text(summary.contact->depth),
+                                        summary.contact->depth / scene.particles.spacing, summary.contact->time));
     list.add("lost", count_text(summary.lost, "particle"));
     const std::string first = fmt::format("{}: {:.4g} s simulated in {}", summary.interrupted ? "Interrupted" : "Done",
                                           summary.simulated_s, duration_text(summary.wall_s));

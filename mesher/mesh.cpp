@@ -10,6 +10,7 @@
 #include "mesher/body_surfaces.hpp"
 #include "mesher/bond_report.hpp"
 #include "mesher/bonded_solids.hpp"
+#include "mesher/contact_surfaces.hpp"
 #include "mesher/disorder.hpp"
 #include "mesher/join_parts.hpp"
 #include "mesher/names.hpp"
@@ -142,7 +143,9 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     if (disorder.amplitude > 0) result.report.notes.push_back(disorder.text());
     monitor.lap("moves");
     measure_quality(result, scene);
-    find_body_surfaces(geometry, scene, strips_of(geometry, scene), result);
+    const std::vector<Sheet> strips = strips_of(geometry, scene);
+    find_body_surfaces(geometry, scene, strips, result);
+    draw_contact_surfaces(geometry, scene, strips, result.particles);
     bond_solids(result, geometry, scene);
     join_parts(result, scene);
     count_bonds(result);

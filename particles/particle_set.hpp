@@ -80,6 +80,14 @@ struct WallTriangle {
     int a = 0, b = 0, c = 0;
 };
 
+/// A straight piece of the drawn surface of a part that touches others, from one point to another with the solid on
+/// its left (2-D).
+struct ContactLine {
+    int part = 0;          ///< index into parts
+    int a = 0, b = 0;      ///< indices into contact_points
+    double thickness = 0;  ///< of the solid behind it, as far as contact looks [m]
+};
+
 /// The space that particles live in, and the parts they belong to: all of a particle set that does not grow with it.
 struct ParticleSpace {
     struct PartInfo {
@@ -99,6 +107,10 @@ struct ParticleSpace {
     std::vector<WallPlane> wall_planes;
     std::vector<Vec> wall_corners;  ///< of the triangles, each once, at the start [m]
     std::vector<WallTriangle> wall_triangles;
+
+    // surfaces of elastic bodies and of the walls they may touch; none where contact is between particles
+    std::vector<Vec> contact_points;  ///< each once, as drawn [m]
+    std::vector<ContactLine> contact_lines;
 
     /// The number of the part of that name; -1 where there is none.
     [[nodiscard]] int part_named(const std::string& name) const;

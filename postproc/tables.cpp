@@ -200,6 +200,10 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
               {"density_high", summary.density_high},
               {"density_drift", summary.density_drift},
               {"conserved", conserved(summary)},
+              {"contact", summary.contact ? Json{{"deepest", summary.contact->depth},
+                                                 {"time", summary.contact->time},
+                                                 {"place", summary.contact->place}}
+                                          : Json()},
               {"lost", summary.lost},
               {"measures", summary_of_measures(summary.measures)},
               {"state_hash", summary.state_hash},

@@ -41,6 +41,8 @@ enum class ViscosityMean { harmonic, arithmetic };
 /// What an elastic area or volume is made of (docs/elastic.md).
 enum class ElasticModel { cells, springs };
 enum class SpringStepping { implicit, subcycled };
+/// What elastic bodies and walls touch with (docs/contact.md).
+enum class ContactBetween { automatic, surfaces, particles };
 enum class ViscosityStepping { explicitly, implicitly };
 enum class SpeciesStepping { explicitly, implicitly };
 /// Unit of the amount of a species per volume: mass, moles, or none (a marker).
@@ -140,6 +142,9 @@ template <>
 inline constexpr auto enum_names<scene::ElasticModel> = std::to_array<std::string_view>({"cells", "springs"});
 template <>
 inline constexpr auto enum_names<scene::SpringStepping> = std::to_array<std::string_view>({"implicit", "subcycled"});
+template <>
+inline constexpr auto enum_names<scene::ContactBetween> = std::to_array<std::string_view>({"auto", "surfaces",
+                                                                                           "particles"});
 template <>
 inline constexpr auto enum_names<scene::ViscosityStepping> = std::to_array<std::string_view>({"explicit", "implicit"});
 template <>

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "base/unlisted_value.hpp"
 #include "models/sph/viscous_laws.hpp"
 #include "scene/checks.hpp"
 #include "scene/corrected_kernels.hpp"
@@ -121,15 +122,52 @@ void need_terms_that_go_together(const Scene& scene) {
                      "leave walls out, or " + (summation ? std::string("density") : "gradient_correction"));
 }
 
+/// In place of "auto".
+ContactBetween chosen_contact(const Scene& scene) {
+    switch (*scene.contact.between) {
+        case ContactBetween::automatic:
+            return scene.dimension == 2 && scene.solidify.empty() ? ContactBetween::surfaces
+                                                                  : ContactBetween::particles;
+        case ContactBetween::surfaces:
+        case ContactBetween::particles:
+            return scene.contact.between;
+    }
+    unlisted_value(*scene.contact.between);
+}
+
+/// Friction, damping and stiffness are of surfaces.
+void need_surfaces_for_what_they_have(const Scene& scene) {
+    const auto& contact = scene.contact;
+    if (chosen_contact(scene) == ContactBetween::surfaces) {
+        const SourceLocation& location = contact.between.location;
+        if (scene.dimension == 3)
+            throw InputError(location, "contact.between = \"surfaces\" is not available in 3-D", "leave it out");
+        if (!scene.solidify.empty())
+            throw InputError(location, "contact.between = \"surfaces\": what a [[solidify]] makes has no drawn surface",
+                             "leave it out");
+        return;
+    }
+    const auto refuse = [](const Value<double>& value, const std::string& key) {
+        if (value.given() && value > 0)
+            throw InputError(value.location, "contact." + key + " is of surfaces, and here particles repel each other",
+                             "leave it out; surfaces touch in 2-D, without [[solidify]]");
+    };
+    refuse(contact.friction, "friction");
+    refuse(contact.damping, "damping");
+    refuse(contact.stiffness, "stiffness");
+}
+
 }  // namespace
 
 void check_numerics(const Scene& scene) {
+    need_surfaces_for_what_they_have(scene);
     need_what_implicit_viscosity_solves(scene);
     need_what_the_scheme_supports(scene);
     need_terms_that_go_together(scene);
 }
 
 void set_dependent_defaults(Scene& scene) {
+    scene.contact.between.value = chosen_contact(scene);
     if (*scene.numerics.density == DensityModel::summation) scene.numerics.density_diffusion.value = 0;
     if (*scene.numerics.transport_velocity) scene.numerics.shifting.value = 0;
 }

@@ -62,6 +62,10 @@ struct Scene {
     struct {
         Value<double> range = 0.7;     ///< r*, cut-off of the short-range repulsion [spacings]; 0 turns it off
         Value<double> strength = 0.0;  ///< K [J]; 0 = "auto"
+        Value<ContactBetween> between = ContactBetween::automatic;  ///< surfaces or particles, once it is read
+        Value<double> stiffness = 0.0;  ///< of surfaces, pressure per depth [Pa/m]; 0 = "auto"
+        Value<double> friction = 0.0;   ///< of surfaces, Coulomb's [-]
+        Value<double> damping = 0.0;    ///< of surfaces, fraction of critical [-]
     } contact;
 
     struct {
@@ -154,6 +158,11 @@ struct Scene {
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
     /// Their names.
     [[nodiscard]] std::vector<std::string> names_of_parts(PartKind kind) const;
+    /// Whether elastic bodies touch each other and walls as their drawn surfaces.
+    [[nodiscard]] bool has_surface_contact() const {
+        return *contact.between == ContactBetween::surfaces && contact.range > 0 &&
+               !parts_of(PartKind::elastic).empty();
+    }
     /// The contact pair of two parts, in either order: the pair that names both, else one that names one of them and
     /// "any", else "any" twice; null if there is none. The last pair of equal rank takes precedence.
     [[nodiscard]] const ContactPair* contact_between(const std::string& a, const std::string& b) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene/driving_keys.hpp"
+#include "scene/contact_keys.hpp"
 #include "scene/join_keys.hpp"
 #include "scene/measure_keys.hpp"
 #include "scene/reference_keys.hpp"
@@ -18,7 +19,6 @@ namespace {
 using Geometry = decltype(Scene::geometry);
 using Particles = decltype(Scene::particles);
 using Flow = decltype(Scene::flow);
-using Contact = decltype(Scene::contact);
 using Numerics = decltype(Scene::numerics);
 using Run = decltype(Scene::run);
 using Output = decltype(Scene::output);
@@ -228,15 +228,6 @@ std::vector<Key<Flow>> flow_keys() {
          "Initial velocity of the fluid, as formulas of x, y, z."},
         {"initial_pressure", &Flow::initial_pressure, formula("100 Pa"), "0",
          "Initial pressure of the fluid, as a formula of x, y, z; the density follows from the equation of state."},
-    };
-}
-
-std::vector<Key<Contact>> contact_keys() {
-    return {
-        {"range", &Contact::range, number(not_negative), ByScheme{"0.7", "1.0"},
-         "Cut-off distance of the short-range repulsion, in spacings; 0 turns the repulsion off."},
-        {"strength", &Contact::strength, quantity_or_auto("1e-6 J"), "auto",
-         "Strength K of the short-range repulsion; \"auto\" chooses it."},
     };
 }
 

@@ -37,7 +37,7 @@ CellBody<D>::CellBody(const BodyParts& parts, const std::string& name, double sp
     of_wall_.assign(ids_.size(), 0);
     drag_.assign(ids_.size(), 0);  // the nodes have it
     find_heavier_nodes();
-    if (contact.on()) self_contact_ = std::make_unique<SelfContact<D>>(contact, parts.held_apart);
+    if (contact.of_itself()) self_contact_ = std::make_unique<SelfContact<D>>(contact, parts.held_apart);
 }
 
 template <int D>

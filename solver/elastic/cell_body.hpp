@@ -25,11 +25,27 @@ class CellBody final : public SpringBody {
     [[nodiscard]] BodyParts parts() const override;
     SpringImpulses advance(std::span<const Vec> force, double dt, int substeps) override;
 
+    void start_parts() override { network_.start_parts(); }
+    void end_parts() override {
+        network_.end_parts();
+        find_offsets();
+    }
+
     [[nodiscard]] std::size_t unknowns() const override { return network_.nodes(); }
     [[nodiscard]] double unknown_mass(std::size_t unknown) const override { return network_.mass(unknown); }
     [[nodiscard]] std::vector<Vec> of_particles(std::span<const Vec> of_unknowns) const override;
     [[nodiscard]] std::vector<Vec> on_unknowns(std::span<const Vec> on_particles) const override;
     [[nodiscard]] std::vector<Vec> unknown_velocities(std::span<const Vec> of_particles) const override;
+    [[nodiscard]] Vec unknown_position(std::size_t unknown) const override { return network_.position(unknown); }
+    [[nodiscard]] Vec unknown_velocity(std::size_t unknown) const override { return network_.velocity(unknown); }
+    [[nodiscard]] bool unknown_fixed(std::size_t unknown) const override { return network_.fixed(unknown); }
+    [[nodiscard]] CarriedPoint carry(const Vec& at_rest, std::span<const int> near,
+                                     const ParticleSpace& space) const override;
+    Vec kick(std::span<const Vec> on_unknowns, double dt) override {
+        const Vec impulse = network_.kick(on_unknowns, dt);
+        find_offsets();
+        return impulse;
+    }
     [[nodiscard]] std::vector<Vec> balance(std::span<const Vec> w, double dt) const override {
         return network_.balance(w, dt);
     }

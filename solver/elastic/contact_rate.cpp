@@ -60,14 +60,15 @@ double distance_square(const Point<D>& a, const Point<D>& b) {
 
 /// Calls visit(node, kind, other, squared distance, smaller range) for the pairs of a cluster that touch.
 template <int D, class Visit>
-void for_each_contact(const ParticleStore& particles, const ClusterList& list, std::size_t number, const Visit& visit) {
+void for_each_contact(const ParticleStore& particles, const ClusterList& list, std::size_t number, bool of_solids,
+                      const Visit& visit) {
     const ParticleGroup& nodes = particles.of(PartKind::elastic);
     const Cluster& cluster = list.clusters(PartKind::elastic)[number];
     const PairPositions<D> position_of_node(nodes);
     const Bounds<D> bounds(position_of_node, cluster);
     for (const PartKind kind : all_kinds) {
         const auto near = list.neighbours(PartKind::elastic, number, kind);
-        if (near.empty()) continue;
+        if (near.empty() || (kind != PartKind::fluid && !of_solids)) continue;
         const ParticleGroup& others = particles.of(kind);
         const Field field = kind == PartKind::rigid ? Field::wall_contact_range : Field::contact_range;
         const PairPositions<D> position_of(others);
@@ -121,9 +122,9 @@ double SpringBodies::largest_contact_rate(const ParticleStore& particles, const 
                 contact_stiffness(contact_.repulsion, square, range), inverse_mass(nodes_[node]), of_other));
         };
         if (dimension_ == 3) {
-            for_each_contact<3>(particles, list, number, add);
+            for_each_contact<3>(particles, list, number, contact_.of_solids, add);
         } else {
-            for_each_contact<2>(particles, list, number, add);
+            for_each_contact<2>(particles, list, number, contact_.of_solids, add);
         }
         for (const double of_node : rate) largest = std::max(largest, of_node);
     }

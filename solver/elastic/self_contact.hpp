@@ -17,8 +17,11 @@ namespace dmp::solver {
 struct SpringContact {
     Repulsion repulsion{0};  ///< K = 0: none
     double range = 0;        ///< r* [m]
+    bool of_solids = true;   ///< false: between solids and fluid alone
 
     [[nodiscard]] bool on() const { return repulsion.strength > 0 && range > 0; }
+    /// Whether bodies repel themselves.
+    [[nodiscard]] bool of_itself() const { return on() && of_solids; }
 };
 
 /// Nodes initially within this distance do not repel each other, if bonds are no longer than this: it includes both

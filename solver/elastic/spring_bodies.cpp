@@ -40,7 +40,7 @@ SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ran
       step_factor_(scene.numerics.spring_step_factor) {
     const int count = set.body.empty() ? 0 : *std::max_element(set.body.begin(), set.body.end()) + 1;
     const InitialSprings drawn(set, scene, liquid_density);
-    const double range = contact.on() ? contact.range : 0;
+    const double range = contact.of_itself() ? contact.range : 0;
     const std::vector<bool> of_cells = bodies_of_cells(set);
     for (int body = 0; body < count; ++body)
         bodies_.push_back(
@@ -227,19 +227,28 @@ void SpringBodies::show_surfaces(ParticleStore& particles, double dt) const {
     }
 }
 
-SpringImpulses SpringBodies::advance(ParticleStore& particles, double dt, int threads) {
-    const int steps = implicit_ ? 0 : substeps(dt);
+SpringImpulses SpringBodies::advance(ParticleStore& particles, double dt, int threads, int parts,
+                                     const std::function<void(double)>& contact) {
+    const double part = dt / parts;
+    const int steps = implicit_ ? 0 : substeps(part);
     const std::vector<Vec> force = collected(particles, Field::force);
     std::vector<SpringImpulses> impulses(bodies_.size());
-    each_of(static_cast<std::ptrdiff_t>(bodies_.size()), threads, [&](std::ptrdiff_t b) {
-        impulses[b] = bodies_[b]->advance(std::span(force).subspan(first_node_[b]), dt, steps);
-    });
     SpringImpulses sum;
-    for (const auto& impulse : impulses)
-        for (int axis = 0; axis < 3; ++axis) {
-            sum.of_anchors[axis] += impulse.of_anchors[axis];
-            sum.of_drag[axis] += impulse.of_drag[axis];
-        }
+    if (parts > 1)
+        for (const auto& body : bodies_) body->start_parts();
+    for (int k = 0; k < parts; ++k) {
+        if (contact) contact(part);
+        each_of(static_cast<std::ptrdiff_t>(bodies_.size()), threads, [&](std::ptrdiff_t b) {
+            impulses[b] = bodies_[b]->advance(std::span(force).subspan(first_node_[b]), part, steps);
+        });
+        for (const auto& impulse : impulses)
+            for (int axis = 0; axis < 3; ++axis) {
+                sum.of_anchors[axis] += impulse.of_anchors[axis];
+                sum.of_drag[axis] += impulse.of_drag[axis];
+            }
+    }
+    if (parts > 1)
+        for (const auto& body : bodies_) body->end_parts();
     show(particles, Field::velocity, [dt](const SpringBody& body, std::size_t node) {
         return Vec((1 / dt) * (body.position(node) - body.position_before(node)));
     });

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -50,8 +51,9 @@ class SpringBodies {
     /// over the last advance, of dt; 0: of their present velocity.
     void show_surfaces(ParticleStore& particles, double dt) const;
     /// Applies the forces in the store to all bodies, then advances them by dt; writes their mean velocities to the
-    /// store.
-    SpringImpulses advance(ParticleStore& particles, double dt, int threads);
+    /// store. In `parts` equal parts, before each of which `contact` kicks the bodies, if there is one.
+    SpringImpulses advance(ParticleStore& particles, double dt, int threads, int parts = 1,
+                           const std::function<void(double)>& contact = {});
     /// Upper bound of the square of the highest contact frequency of nodes, for current positions and the current
     /// list [1/s^2] (contact_stiffness.hpp). All ranks must call it.
     [[nodiscard]] double largest_contact_rate(const ParticleStore& particles, const ClusterList& list,

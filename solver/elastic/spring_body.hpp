@@ -39,6 +39,17 @@ struct PresentSurface {
     Eigen::Matrix3d velocity_gradient = Eigen::Matrix3d::Zero();  ///< [a][b] = dv_a/dx_b [1/s]
 };
 
+/// A point of the material as the body's unknowns carry it: x = SUM share_k x_k + shift. Shares add up to one, and a
+/// uniform deformation carries it exactly.
+struct CarriedPoint {
+    struct Share {
+        int unknown = 0;
+        double share = 0;
+    };
+    std::vector<Share> shares;
+    Vec shift = Vec::Zero();  ///< whole periods [m]
+};
+
 /// One connected piece of an elastic solid, as an interface for the rest of the solver, in 2-D (z = 0) or in 3-D.
 class SpringBody {
   public:
@@ -64,6 +75,10 @@ class SpringBody {
     /// the springs' forces: in `substeps` equal explicit steps, or in one implicit step (0).
     virtual SpringImpulses advance(std::span<const Vec> force, double dt, int substeps) = 0;
 
+    /// The advances between these two are parts of one step: what is before is before the first of them.
+    virtual void start_parts() = 0;
+    virtual void end_parts() = 0;
+
     /// What the body's equations are solved for (ViscousNodes): its nodes. They are its particles, but where it
     /// consists of cells, whose particles move with the nodes at their corners.
     [[nodiscard]] virtual std::size_t unknowns() const { return nodes(); }
@@ -78,6 +93,18 @@ class SpringBody {
     [[nodiscard]] virtual std::vector<Vec> unknown_velocities(std::span<const Vec> of_particles) const {
         return {of_particles.begin(), of_particles.end()};
     }
+
+    [[nodiscard]] virtual Vec unknown_position(std::size_t unknown) const { return position(unknown); }  ///< [m]
+    /// At the end of the last advance, not the mean over it [m/s].
+    [[nodiscard]] virtual Vec unknown_velocity(std::size_t unknown) const { return velocity(unknown); }
+    [[nodiscard]] virtual bool unknown_fixed(std::size_t unknown) const { return fixed(unknown); }
+    /// The point of the material that is at `at_rest` [m] when the body is; it may lie a little outside. `near`: some
+    /// of its particles near there, the nearest first.
+    [[nodiscard]] virtual CarriedPoint carry(const Vec& at_rest, std::span<const int> near,
+                                             const ParticleSpace& space) const = 0;
+    /// Changes velocities by dt F / m, with the forces F on the unknowns [N]. Returns the impulse of the supports
+    /// [N s].
+    virtual Vec kick(std::span<const Vec> on_unknowns, double dt) = 0;
 
     /// Residual for implicit viscosity (ViscousNodes) of unknowns with mean velocity w over the next dt: half the
     /// springs' forces and drag, minus the force needed to reach w, F/2 - m / dt (w - v) [N]; 0 where they are held.

@@ -47,7 +47,7 @@ std::unique_ptr<SpringBody> SpringBody::make(const BodyParts& parts, const std::
 
 template <int D>
 SpringNetwork<D>::SpringNetwork(const ParticleSet& set, const Part& part, int body, const SpringContact& contact)
-    : SpringNetwork(initial_body(set, InitialSprings(set, part), body, contact.on() ? contact.range : 0), part.name,
+    : SpringNetwork(initial_body(set, InitialSprings(set, part), body, contact.of_itself() ? contact.range : 0), part.name,
                     set.spacing, contact) {}
 
 template <int D>
@@ -84,7 +84,7 @@ SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name,
             dihedrals_.push_back({dihedral.node, DihedralForce(dihedral.rest, {dihedral.stiffness, dihedral.dashpot}),
                                   shift_of<D>(dihedral.shift)});
     for (const BodyParts::Cell& cell : cells) cells_.emplace_back(cell);
-    if (contact.on()) self_contact_ = std::make_unique<SelfContact<D>>(contact, held_apart, of_wall_);
+    if (contact.of_itself()) self_contact_ = std::make_unique<SelfContact<D>>(contact, held_apart, of_wall_);
 }
 
 template <int D>

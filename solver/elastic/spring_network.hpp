@@ -73,6 +73,11 @@ class SpringNetwork final : public SpringBody {
     [[nodiscard]] BodyParts parts() const override;
     SpringImpulses advance(std::span<const Vec> force, double dt, int substeps) override;
 
+    void start_parts() override { start_of_step_ = position_; }
+    void end_parts() override { position_before_ = std::move(start_of_step_); }
+    [[nodiscard]] CarriedPoint carry(const Vec& at_rest, std::span<const int> near,
+                                     const ParticleSpace& space) const override;
+    Vec kick(std::span<const Vec> on_unknowns, double dt) override;
     [[nodiscard]] std::vector<Vec> balance(std::span<const Vec> w, double dt) const override;
     void prepare_in_fluid(std::span<const Vec> w, std::span<const Vec> drag, double dt) override;
     void multiply_in_fluid(std::span<Vec> values) const override;
@@ -176,6 +181,7 @@ class SpringNetwork final : public SpringBody {
     double spacing_;                             ///< length scale of the distances between nodes [m]
     Vectors position_, velocity_, force_;        ///< positions are never wrapped: bodies may cross periodic boundaries
     Vectors position_before_;                    ///< before the last advance
+    Vectors start_of_step_;                      ///< that is advanced in parts
     Vectors position_at_rest_;                   ///< initial
     std::vector<SolidSurface> surface_;          ///< at rest
     /// The first cell that was crushed in a trial of a step, since the last step.

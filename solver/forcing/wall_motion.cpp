@@ -78,6 +78,22 @@ bool WallMotion::moves(std::uint16_t part) const {
 
 Vec WallMotion::Moving::velocity_at(double t) const { return {velocity[0](t), velocity[1](t), velocity[2](t)}; }
 
+Vec WallMotion::carried(std::uint16_t part, const Vec& drawn) const {
+    for (const Moving& moving : moving_)
+        if (moving.part == part)
+            return moving.centre + moving.shown.displacement + Turn(moving.shown.angle)(drawn - moving.centre);
+    return drawn;
+}
+
+Vec WallMotion::velocity(std::uint16_t part, const Vec& drawn, double t) const {
+    for (const Moving& moving : moving_)
+        if (moving.part == part) {
+            const Vec arm = Turn(moving.shown.angle)(drawn - moving.centre);
+            return moving.velocity_at(t) + (moving.turns ? moving.spin(t) : 0) * Vec(-arm[1], arm[0], 0);
+        }
+    return Vec::Zero();
+}
+
 WallPose WallMotion::Moving::after(const WallPose& pose, double t, double dt) const {
     WallPose next = pose;
     for (int axis = 0; axis < 3; ++axis) next.displacement[axis] += integral(velocity[axis], t, dt);

@@ -53,6 +53,11 @@ class WallMotion {
     /// surfaces. Returns the fields, beside velocity, that copies have yet to be given.
     [[nodiscard]] FieldList show_velocities(ParticleStore& particles) const;
 
+    /// Where a point of a part is that was drawn at `drawn` [m], as its particles stand.
+    [[nodiscard]] Vec carried(std::uint16_t part, const Vec& drawn) const;
+    /// Of that point at time t, without what slides [m/s].
+    [[nodiscard]] Vec velocity(std::uint16_t part, const Vec& drawn, double t) const;
+
     /// Of all walls and their surfaces at time t [m/s]; surfaces that slide by formulas of place are left out.
     [[nodiscard]] double largest_speed(double t) const;
     /// How far from its place in the geometry a particle stands at most [m].

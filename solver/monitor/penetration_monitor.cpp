@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/number_text.hpp"
+#include "solver/contact/surface_contact.hpp"
 #include "solver/output/fluid_fields.hpp"
 
 namespace dmp::solver {
@@ -150,7 +151,8 @@ std::optional<Penetration> penetration(const Scene& scene, const SolidFields& no
     if (knows_surface && std::isfinite(near.behind) && near.behind > 0.5 * spacing && near.goes_on())
         return Penetration{near.behind, distance};
     // The repulsion never lets them come so near if it is strong enough.
-    if (distance < std::min(0.4 * spacing, 0.57 * range)) return Penetration{0, distance};
+    if (!scene.has_surface_contact() && distance < std::min(0.4 * spacing, 0.57 * range))
+        return Penetration{0, distance};
     return {};
 }
 
@@ -168,8 +170,18 @@ void PenetrationMonitor::start(const ParticleStore& particles, const ClusterList
 }
 
 std::optional<Warning> PenetrationMonitor::look(const ParticleStore& particles, const ClusterList& list,
-                                                const Ranks& ranks, double t) {
-    if (particle_ >= 0) return {};
+                                                const SurfaceContact* surfaces, const Ranks& ranks, double t) {
+    if (!part_.empty()) return {};
+    const auto name = [&](std::int64_t part) { return particles.space().parts[static_cast<std::size_t>(part)].name; };
+    if (surfaces != nullptr && surfaces->deepest().depth > 0.5 * scene_.particles.spacing) {
+        const SurfaceContact::Deepest& deepest = surfaces->deepest();
+        part_ = name(deepest.parts[0]);
+        other_ = name(deepest.parts[1]);
+        time_ = deepest.time;
+        depth_ = deepest.depth;
+        place_ = {deepest.place[0], deepest.place[1], deepest.place[2]};
+        return warning(surfaces);
+    }
     struct Found {
         double depth, distance;
         std::int64_t particle, part, other;
@@ -197,7 +209,6 @@ std::optional<Warning> PenetrationMonitor::look(const ParticleStore& particles, 
     deepest = ranks.all_gather<Found>(deepest);
     if (deepest.empty()) return {};
     const Found& found = *std::ranges::min_element(deepest, is_before);
-    const auto name = [&](std::int64_t part) { return particles.space().parts[static_cast<std::size_t>(part)].name; };
     particle_ = found.particle;
     part_ = name(found.part);
     other_ = name(found.other);
@@ -205,7 +216,7 @@ std::optional<Warning> PenetrationMonitor::look(const ParticleStore& particles, 
     depth_ = found.depth;
     distance_ = found.distance;
     place_ = found.place;
-    return warning();
+    return warning(surfaces);
 }
 
 /// A strength that suits the material of the stiffest part, 0.002 E r*^2 on a depth of 1 m or r* [J]; 0: it is not
@@ -217,27 +228,45 @@ double PenetrationMonitor::strength_by_material() const {
     return 0.002 * modulus * range * range * (scene_.dimension == 3 ? range : 1);
 }
 
-std::optional<Warning> PenetrationMonitor::warning() const {
-    if (particle_ < 0) return {};
+std::optional<Warning> PenetrationMonitor::warning(const SurfaceContact* surfaces) const {
+    if (part_.empty()) return {};
     std::string place;
     for (int axis = 0; axis < scene_.dimension; ++axis)
         place += (axis > 0 ? ", " : "") + number_text(place_[axis], 4) + " m";
     Warning warning;
+    give_advice(warning, surfaces);
+    warning.problem += " is too low for what presses the solids together: by " + number_text(time_, 4) + " s " +
+                       (particle_ < 0 ? "" : "particle " + std::to_string(particle_) + " of ") + "'" + part_ +
+                       "' had passed into '" + other_ + "', " +
+                       number_text((depth_ > 0 ? depth_ : distance_) / scene_.particles.spacing, 2) +
+                       (depth_ > 0 ? " spacings behind its surface" : " spacings from one of its particles") +
+                       ", at (" + place + "). What the run gives of these solids from then on is wrong";
+    return warning;
+}
+
+/// The key, what it is, and what to give in its place.
+void PenetrationMonitor::give_advice(Warning& warning, const SurfaceContact* surfaces) const {
+    const auto between = [](double low, const std::string& unit) {
+        return number_text(10 * low, 2) + " to " + number_text(100 * low, 2) + " " + unit + ", and look at the frames";
+    };
+    if (surfaces != nullptr) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const auto& [part, stiffness] : surfaces->stiffness_of_parts()) least = std::min(least, stiffness);
+        warning.key = "contact.stiffness";
+        warning.location = scene_.contact.stiffness.location;
+        warning.problem = "of " + number_text(least, 3) + " Pa/m";
+        warning.what_to_do =
+            "give flow.largest_speed, if bodies are faster, or a contact.stiffness of " + between(least, "Pa/m");
+        return;
+    }
     warning.key = "contact.strength";
     warning.location = scene_.contact.strength.location;
-    warning.problem = "of " + number_text(strength_, 3) + " J is too low for what presses the solids together: by " +
-                      number_text(time_, 4) + " s particle " + std::to_string(particle_) + " of '" + part_ +
-                      "' had passed into '" + other_ + "', " +
-                      number_text((depth_ > 0 ? depth_ : distance_) / scene_.particles.spacing, 2) +
-                      (depth_ > 0 ? " spacings behind its surface" : " spacings from one of its particles") + ", at (" +
-                      place + "). What the run gives of these solids from then on is wrong";
+    warning.problem = "of " + number_text(strength_, 3) + " J";
     const double by_material = strength_by_material();
-    warning.what_to_do = (strength_ > 0 ? "give a contact.strength of " + number_text(10 * strength_, 2) + " to " +
-                                              number_text(100 * strength_, 2) + " J"
-                          : by_material > 0 ? "give one of about " + number_text(by_material, 2) + " J"
-                                            : std::string("give one in J")) +
-                         ", and look at the frames";
-    return warning;
+    warning.what_to_do = strength_ > 0 ? "give a contact.strength of " + between(strength_, "J")
+                                       : (by_material > 0 ? "give one of about " + number_text(by_material, 2) + " J"
+                                                          : std::string("give one in J")) +
+                                             ", and look at the frames";
 }
 
 void PenetrationMonitor::archive_start(Archive& file) { file("penetration/beside", beside_); }

@@ -17,11 +17,13 @@
 
 namespace dmp::solver {
 
+class SurfaceContact;
+
 /// Looks for particles of elastic solids that have passed into another solid: those more than half a spacing behind the
 /// surface of a wall or of another body, or nearer than 0.4 spacings to one of its particles (0.57 of a short range).
-/// The contact's repulsion keeps them in front of it. Particles nearer than 1.2 spacings to a wall at the start, as
-/// where a solid is held, do not count, nor do those that are in another solid then. Where bodies change, pieces of one
-/// part are not told from each other, and torn bodies have no surface.
+/// Contact keeps them in front of it; where surfaces touch, particles may be nearer to each other. Particles nearer
+/// than 1.2 spacings to a wall at the start, as where a solid is held, do not count, nor do those that are in another
+/// solid then. Where bodies change, pieces of one part are not told from each other, and torn bodies have no surface.
 class PenetrationMonitor {
   public:
     /// @param strength of the contact's repulsion [J]
@@ -33,9 +35,11 @@ class PenetrationMonitor {
     void start(const ParticleStore& particles, const ClusterList& list, const Ranks& ranks);
     /// Looks at the state at time t [s], until something has passed into a solid: then it returns the warning. All
     /// ranks take part. @param list as of positions near those of now
-    std::optional<Warning> look(const ParticleStore& particles, const ClusterList& list, const Ranks& ranks, double t);
+    /// @param surfaces where they touch, in place of particles: then what they say counts, too
+    std::optional<Warning> look(const ParticleStore& particles, const ClusterList& list, const SurfaceContact* surfaces,
+                                const Ranks& ranks, double t);
 
-    [[nodiscard]] std::optional<Warning> warning() const;
+    [[nodiscard]] std::optional<Warning> warning(const SurfaceContact* surfaces) const;
 
     /// What start() noted, which belongs to the state.
     void archive_start(Archive& file);
@@ -44,12 +48,13 @@ class PenetrationMonitor {
 
   private:
     [[nodiscard]] double strength_by_material() const;
+    void give_advice(Warning& warning, const SurfaceContact* surfaces) const;
 
     const Scene& scene_;
     double strength_;                ///< [J]
     std::vector<double> beside_;     ///< ids of particles that do not count, ascending
-    std::int64_t particle_ = -1;     ///< the deepest at the first look that found any; -1: there was none
-    std::string part_, other_;       ///< that it belongs to, and that it is in
+    std::int64_t particle_ = -1;     ///< the deepest at the first look that found any; -1: none, or surfaces
+    std::string part_, other_;       ///< that it belongs to, and that it is in; empty: there was none
     double time_ = 0;                ///< [s]
     double depth_ = 0;               ///< behind the surface; 0: not known [m]
     double distance_ = 0;            ///< from the nearest particle there [m]

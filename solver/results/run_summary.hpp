@@ -91,6 +91,13 @@ struct ChamberDrift {
     std::array<double, 3> place{};  ///< of one of its particles [m]
 };
 
+/// How deep surfaces have passed into each other at most.
+struct ContactSummary {
+    double depth = 0;               ///< [m]
+    double time = 0;                ///< [s]
+    std::array<double, 3> place{};  ///< [m]
+};
+
 struct RunSummary {
     std::map<std::string, std::size_t> particles;
     long steps = 0;
@@ -108,6 +115,7 @@ struct RunSummary {
     /// From one particle to the next, of itself (VelocityChange) [-]; nothing with the plain scheme.
     std::optional<double> velocity_change;
     std::vector<LargestStrain> strains;  ///< of elastic solids
+    std::optional<ContactSummary> contact;  ///< of surfaces; none if nothing touched
     /// Where the flow that was reached is not the one that was planned.
     std::vector<Warning> warnings;
     Conserved start, end;

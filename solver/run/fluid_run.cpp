@@ -9,6 +9,7 @@
 
 #include "base/number_text.hpp"
 #include "particles/apart.hpp"
+#include "solver/contact/surface_contact.hpp"
 #include "solver/elastic/whole_pressure.hpp"
 #include "solver/output/aggregates.hpp"
 #include "solver/output/make_frame.hpp"
@@ -39,6 +40,13 @@ std::string text_of(const std::optional<StabilityMonitor::Finding>& finding) {
     return finding ? finding->problem + '\n' + finding->what_to_do : "";
 }
 
+/// Nothing where nothing has touched.
+std::optional<ContactSummary> contact_summary(const SurfaceContact& contact) {
+    const SurfaceContact::Deepest& deepest = contact.deepest();
+    if (deepest.depth == 0) return {};
+    return ContactSummary{deepest.depth, deepest.time, {deepest.place[0], deepest.place[1], deepest.place[2]}};
+}
+
 }  // namespace
 
 FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
@@ -67,6 +75,11 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
     if (settings_.dry_bodies) fill_whole_pressure(dry_bodies(set, settings_.threads), particles_);
     fluid_.take_speed();
     scales_.diffusion_limit = fluid_.sweeps().diffusion_limit();
+    if (settings_.surface_contact) {
+        fluid_.start_surface_contact(scene_, set,
+                                     ruling_limit(fluid_step_limits(scales_, 0, fluid_.body_force().largest(0))).dt);
+        if (!fluid_.surface_contact()->takes_parts()) scales_.surface_contact_limit = fluid_.surface_contact()->step_limit();
+    }
     at_start_ = conserved();
 }
 
@@ -138,6 +151,7 @@ Conserved FluidRun::conserved() const {
 std::vector<StepLimit> FluidRun::limits_now(double largest_speed) const {
     StepScales now = scales_;
     if (now.contact_limit > 0) now.contact_limit = std::min(now.contact_limit, fluid_.contact_step_limit());
+    if (scales_.surface_contact_limit > 0) now.surface_contact_limit = fluid_.surface_contact()->step_limit();
     auto limits = fluid_step_limits(now, std::max(largest_speed, fluid_.walls().largest_speed(time_)),
                                     fluid_.body_force().largest(time_));
     add_driving_limit(limits, fluid_.driving(), scales_.support, time_);
@@ -240,82 +254,6 @@ void FluidRun::stop_if_species_diverged(FrameSink* sink) {
         stop_on_violation(sink, concentrations_.check(particles_, *species));
 }
 
-Plan FluidRun::plan() const {
-    Plan plan;
-    plan.particles = count_;
-    plan.bytes_per_particle = particles_.bytes() / std::max<std::size_t>(1, particles_.owned());
-    plan.sound_speed = settings_.sound_speed;
-    plan.largest_speed = scene_.flow.largest_speed;
-    plan.sound = sound_;
-    plan.at_rest = scales_.at_rest;
-    double g = 0;  // largest over one run, sampled
-    for (int k = 0; k <= 64; ++k) g = std::max(g, fluid_.body_force().largest(scene_.run.duration * k / 64));
-    plan.limits = fluid_step_limits(scales_, plan.largest_speed, g);
-    add_driving_limit(plan.limits, fluid_.driving(), scales_.support, time_);
-    const StepLimit ruling = ruling_limit(plan.limits);
-    plan.dt = ruling.dt;
-    plan.ruling_limit = ruling.model;
-    plan.steps = expected_steps(scene_, plan.dt, scene_.run.duration);
-    const std::optional<Warning> better_implicit = viscosity_better_implicit(scene_, plan.limits);
-    plan.warnings = warnings_of(scene_, fluid_.springs().bodies().size());
-    add_margins(plan, scene_);
-    plan.spring_substeps = fluid_.springs().substeps(plan.dt);
-    if (settings_.viscosity.implicit && scales_.kinematic_viscosity > 0) {
-        plan.limits.push_back(viscous_step_limit(scales_));
-        // Backward Euler: what decays with exp(-t / 10 dt) is (1 + 1/10)^-10 after 10 steps.
-        const double layer = std::sqrt(10 * scales_.kinematic_viscosity * plan.dt);
-        plan.limits.back().formula +=
-            "; not binding, stepped implicitly: what changes within 10 steps, such as shear "
-            "layers of " +
-            number_text(1e3 * layer, 2) + " mm, lags behind by 5 %";
-    }
-    if (scales_.implicit_species && scales_.diffusivity > 0) {
-        plan.limits.push_back(species_step_limit(scales_));
-        plan.limits.back().formula += "; not binding, stepped implicitly";
-    }
-    add_limits_of_elastic_solids(plan);
-    plan.models = models_in_use(scene_, settings_, fluid_.sweeps(), fluid_.springs());
-    plan.warnings.insert(plan.warnings.end(), foreseen_.begin(), foreseen_.end());
-    if (better_implicit) plan.warnings.push_back(*better_implicit);
-    if (const auto stirred = stirred_interface(scene_, fluid_.body_force().largest(time_)))
-        plan.warnings.push_back(*stirred);
-    add_fields(plan);
-    return plan;
-}
-
-void FluidRun::add_limits_of_elastic_solids(Plan& plan) const {
-    for (const auto& limit : fluid_.springs().step_limits())
-        plan.limits.push_back({"elastic (" + limit.part + ")", limit.dt,
-                               std::string("2 / omega_max of the initial lattice; ") +
-                                   (fluid_.springs().implicit() ? "not binding, stepped implicitly" : "sub-cycled")});
-    for (const Solidify& rule : scene_.solidify)
-        plan.limits.push_back({"elastic (" + *rule.name + ")", new_bond_limit(scene_, rule),
-                               std::string("2 / omega of one new bond alone; ") +
-                                   (fluid_.springs().implicit() ? "not binding, stepped implicitly"
-                                                                : "sub-cycled, by the stiffest body there is")});
-}
-
-void FluidRun::add_fields(Plan& plan) const {
-    for (const ParticleGroup& group : particles_.groups()) {
-        if (group.empty()) continue;
-        for (const Field field : group.declared()) {
-            const auto bytes = static_cast<std::size_t>(group.axes(field)) * sizeof(double);
-            plan.fields.push_back(to_string(group.kind()) + std::string(": ") + std::string(info(field).name) + ", " +
-                                  std::to_string(bytes) + " bytes");
-            const std::string_view owner = info(field).needed_by;
-            const auto model = std::ranges::find_if(plan.models, [&](const ModelUse& use) {
-                return !owner.empty() && use.model.find(owner) != std::string::npos;
-            });
-            if (model == plan.models.end()) {
-                plan.common_fields.push_back(plan.fields.back());
-            } else {
-                model->fields.push_back(plan.fields.back());
-                model->bytes += bytes;
-            }
-        }
-    }
-}
-
 void FluidRun::advance(const RunOptions& options, const Step& step) {
     const double dt = step.dt;
     try {
@@ -347,7 +285,8 @@ void FluidRun::advance(const RunOptions& options, const Step& step) {
     if (VoidMonitor::wants(step_) || has_suction)
         if (const auto opened = voids_.look(particles_, ranks_, time_, has_suction)) warnings.push_back(*opened);
     if (watches_contact() && PenetrationMonitor::wants(step_))
-        if (const auto passed = penetration_.look(particles_, fluid_.neighbours().list(), ranks_, time_))
+        if (const auto passed =
+                penetration_.look(particles_, fluid_.neighbours().list(), fluid_.surface_contact(), ranks_, time_))
             warnings.push_back(*passed);
     if (VelocityChange::wants(step_)) velocity_change_.add(particles_, ranks_, time_);
     if (settings_.chambers && step_ % steps_between_checks == 0)
@@ -421,11 +360,12 @@ RunSummary FluidRun::summary() const {
     std::ranges::move(concentrations_.warnings(ranks_), std::back_inserter(summary.warnings));
     if (const auto coarse = velocity_change_.warning(scene_)) summary.warnings.push_back(*coarse);
     summary.strains = strain_.largest();
+    if (const SurfaceContact* contact = fluid_.surface_contact()) summary.contact = contact_summary(*contact);
     std::ranges::move(strain_.warnings(scene_), std::back_inserter(summary.warnings));
     summary.density_drift = fluid_.reference().density_drift();
     summary.chambers = fluid_.reference().chamber_drifts();
     if (const auto opened = voids_.warning()) summary.warnings.push_back(*opened);
-    if (const auto passed = penetration_.warning()) summary.warnings.push_back(*passed);
+    if (const auto passed = penetration_.warning(fluid_.surface_contact())) summary.warnings.push_back(*passed);
     std::ranges::move(chamber_warnings(), std::back_inserter(summary.warnings));
     if (const auto drift = drift_warning(summary.density_drift)) summary.warnings.push_back(*drift);
     summary.lost = static_cast<std::size_t>(

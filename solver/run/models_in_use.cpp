@@ -8,6 +8,7 @@
 #include "base/number_text.hpp"
 #include "models/sph/viscous_laws.hpp"
 #include "scene/read_scene.hpp"
+#include "solver/contact/surface_contact.hpp"
 #include "solver/elastic/body_parts.hpp"
 #include "solver/forcing/driven.hpp"
 #include "solver/forcing/driving_models.hpp"
@@ -100,6 +101,7 @@ class Models {
     void add_species();
     void add_breaking(const Breaking& rule);
     void add_solidifying_and_breaking();
+    void add_contact(const SurfaceContact* contact);
     void add_what_is_shown();
 
     [[nodiscard]] std::vector<ModelUse> list() && { return std::move(list_); }
@@ -273,11 +275,26 @@ void Models::add_solidifying_and_breaking() {
             because(rule.bond_stiffness, "bond_stiffness"));
     }
     for (const Breaking& rule : scene_.breaking) add_breaking(rule);
+}
+
+void Models::add_contact(const SurfaceContact* contact) {
+    if (*scene_.contact.range == 0) return;
     const bool has_solids = !scene_.parts_of(PartKind::rigid).empty() || scene_.may_have_elastic();
-    if (scene_.contact.range > 0 && has_solids)
+    const bool has_fluid = !scene_.parts_of(PartKind::fluid).empty();
+    if (has_solids && (contact == nullptr || has_fluid))
         add("short-range repulsion",
-            std::string("Monaghan 1994, cut at r*") + (scene_.may_have_elastic() ? "; of a body with itself, too" : ""),
+            std::string("Monaghan 1994, cut at r*") + (contact != nullptr          ? "; of liquid and solids"
+                                                       : scene_.may_have_elastic() ? "; of a body with itself, too"
+                                                                                   : ""),
             because(scene_.contact.range, "contact.range"));
+    if (contact == nullptr) return;
+    std::string stiffness;
+    for (const auto& [part, value] : contact->stiffness_of_parts())
+        stiffness += (stiffness.empty() ? "" : ", ") + three_digits(value) + " Pa/m of '" + part + "'";
+    add("contact of surfaces",
+        "p = k depth at Gauss points of both, " + stiffness +
+            (*scene_.contact.friction > 0 ? "; friction " + three_digits(scene_.contact.friction) : ""),
+        because(scene_.contact.between, "contact.between"));
 }
 
 void Models::add_what_is_shown() {
@@ -292,7 +309,7 @@ void Models::add_what_is_shown() {
 }  // namespace
 
 std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps,
-                                    const SpringBodies& springs) {
+                                    const SpringBodies& springs, const SurfaceContact* contact) {
     Models models(scene);
     if (is_at_rest(scene)) {
         models.add_species();
@@ -304,6 +321,7 @@ std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& sett
     models.add_walls();
     models.add_elastic(springs);
     models.add_species();
+    models.add_contact(contact);
     models.add_solidifying_and_breaking();
     models.add_what_is_shown();
     return std::move(models).list();

@@ -11,8 +11,10 @@
 
 namespace dmp::solver {
 
+class SurfaceContact;
+
 /// Which models a scene of fluids, walls and springs runs, their sources, and what in it asks for them.
 std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps,
-                                    const SpringBodies& springs);
+                                    const SpringBodies& springs, const SurfaceContact* contact);
 
 }  // namespace dmp::solver

@@ -7,6 +7,7 @@
 
 #include <omp.h>
 
+#include "base/errors.hpp"
 #include "base/unlisted_value.hpp"
 #include "models/contact/repulsion.hpp"
 #include "solver/elastic/node_mass.hpp"
@@ -148,6 +149,16 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     return settings;
 }
 
+/// Whether bodies and walls touch as their surfaces, which particles of unknown origin have not.
+bool touches_as_surfaces(const Scene& scene, const ParticleSet& set) {
+    if (!scene.has_surface_contact()) return false;
+    if (scene.contact.between.given() && set.contact_lines.empty())
+        throw InputError(scene.contact.between.location,
+                         "contact.between = \"surfaces\", and the particles come without surfaces",
+                         "mesh them from a geometry, or write between = \"particles\"");
+    return !set.contact_lines.empty();
+}
+
 PairSettings pair_settings(const Scene& scene, const ParticleSet& set, const Resources& resources) {
     PairSettings settings = pair_settings(scene, resources);
     for (int axis = 0; axis < set.dimension; ++axis) {
@@ -160,6 +171,7 @@ PairSettings pair_settings(const Scene& scene, const ParticleSet& set, const Res
     // A solid that is wet on one side holds the whole pressure, not what is left of it.
     settings.dry_bodies = settings.subtracts_level && !dry_bodies(set, settings.threads).empty();
     settings.keeps_volume = settings.subtracts_level && keeps_volume(scene, settings);
+    settings.surface_contact = touches_as_surfaces(scene, set);
     settings.chambers = settings.keeps_volume && may_have_chambers(scene, set);
     return settings;
 }
@@ -260,7 +272,8 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
             if (const Value<double>* diffusivity = species.diffusivity_in(part);
                 diffusivity != nullptr && *part.enabled)
                 scales.diffusivity = std::max(scales.diffusivity, **diffusivity);
-    if (settings.repulsion_strength > 0 && set.size() > 0) {
+    const bool particles_repel = !settings.surface_contact || !scene.parts_of(PartKind::fluid).empty();
+    if (settings.repulsion_strength > 0 && particles_repel && set.size() > 0) {
         const std::vector<double> mass = node_masses(scene, set, liquid_in_leaflets(settings));
         double lightest = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < set.size(); ++i)  // without a fluid walls have no mass; what is held does not swing

@@ -71,6 +71,8 @@ class Warnings {
         } else if (!walls_ && !springs_) {
             has_no_effect("contact.range", contact.range, "no part is solid");
             has_no_effect("contact.strength", contact.strength, "no part is solid");
+        } else if (scene_.has_surface_contact()) {
+            if (!fluid_) has_no_effect("contact.strength", contact.strength, "bodies touch as their surfaces");
         } else if (springs_ && !fluid_ && *contact.strength == 0) {
             add("contact.strength", contact.strength.location,
                 "is \"auto\", which follows the fluid, and there is none: spring bodies that touch will pass through "

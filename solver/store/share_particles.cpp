@@ -40,6 +40,8 @@ void share_walls(ParticleSpace& space, const Ranks& ranks) {
     for (std::size_t n = 0; n < of_part.size(); ++n) space.wall_planes.push_back({of_part[n], points[n], normals[n]});
     share(space.wall_corners, ranks);
     ranks.broadcast(space.wall_triangles);
+    share(space.contact_points, ranks);
+    ranks.broadcast(space.contact_lines);
 }
 
 void share_space(ParticleSpace& space, const Ranks& ranks) {

@@ -83,7 +83,8 @@ class Sweeps final : public PairSweeps {
         const auto sweep_with = [&](const auto& viscosity) {
             const auto run = [&](const auto& solid) {
                 ForceSweep<L, D, Kernel, std::decay_t<decltype(solid)>, std::decay_t<decltype(viscosity)>>(
-                    particles, list, kernel_, solid, viscosity, repulsion_, force_rounding_, settings_.threads)
+                    particles, list, kernel_, solid, viscosity, repulsion_, !settings_.surface_contact, force_rounding_,
+                    settings_.threads)
                     .run(choice);
             };
             with_solid(sums.body_acceleration, sums.subtracted, run);

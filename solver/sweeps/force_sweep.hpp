@@ -14,13 +14,15 @@ template <class L, int D, class Kernel, class Solid, class Viscosity>
 class ForceSweep {
   public:
     ForceSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel, const Solid& solid,
-               const Viscosity& viscosity, const Repulsion& repulsion, const ReproducibleSum& rounding, int threads)
+               const Viscosity& viscosity, const Repulsion& repulsion, bool solids_repel,
+               const ReproducibleSum& rounding, int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
           solid_(solid),
           viscosity_(viscosity),
           contact_(particles, repulsion, rounding),
+          solids_repel_(solids_repel),
           rounding_(rounding),
           threads_(threads),
           fluid_(particles.fluid()),
@@ -61,12 +63,18 @@ class ForceSweep {
     }
 
     [[nodiscard, gnu::flatten]] Force force_on_rigid(const Neighbourhood& near) const {
-        return reaction_to_fluid<true>(near, rigid_) + contact_(near, PartKind::elastic, Field::wall_contact_range);
+        return reaction_to_fluid<true>(near, rigid_) +
+               contact_of_solids(near, PartKind::elastic, Field::wall_contact_range);
     }
 
     [[nodiscard, gnu::flatten]] Force force_on_elastic(const Neighbourhood& near) const {
-        return reaction_to_fluid<false>(near, springs_) + contact_(near, PartKind::rigid, Field::wall_contact_range) +
-               contact_(near, PartKind::elastic, Field::contact_range);
+        return reaction_to_fluid<false>(near, springs_) +
+               contact_of_solids(near, PartKind::rigid, Field::wall_contact_range) +
+               contact_of_solids(near, PartKind::elastic, Field::contact_range);
+    }
+
+    [[nodiscard]] Force contact_of_solids(const Neighbourhood& near, PartKind kind, Field ranges) const {
+        return solids_repel_ ? contact_(near, kind, ranges) : Force::zero();
     }
 
     /// Reaction to the force on the fluid, on the solid.
@@ -106,6 +114,7 @@ class ForceSweep {
     const Solid& solid_;
     const Viscosity& viscosity_;
     ContactSum<L, D> contact_;
+    bool solids_repel_;
     const ReproducibleSum& rounding_;
     int threads_;
     FluidReader<L, D, Viscosity::needs_gradient> fluid_;

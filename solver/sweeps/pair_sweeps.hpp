@@ -69,6 +69,7 @@ struct PairSettings {
     } walls{};
 
     double repulsion_strength = 0;  ///< K [J]; 0: none
+    bool surface_contact = false;   ///< solids touch as their surfaces: their particles repel the fluid's alone
 
     int threads = 1;
     VectorUnit vector_unit = VectorUnit::widest;

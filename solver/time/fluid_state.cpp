@@ -3,6 +3,7 @@
 // What FluidStep keeps in a checkpoint.
 #include <algorithm>
 
+#include "solver/contact/surface_contact.hpp"
 #include "solver/state/loaded_groups.hpp"
 #include "solver/time/fluid_step.hpp"
 
@@ -21,6 +22,8 @@ void FluidStep::archive(Archive& file) {
     if (file.loading())
         for (const ParticleTag& tag : particles_.of(PartKind::elastic).tags())
             if (!springs_.holds(tag.id)) throw unlike_any_run("an elastic particle that is a node of no body");
+    if (surface_contact_ && file.loading()) surface_contact_->find_bodies(springs_);
+    if (surface_contact_) surface_contact_->archive(file);
     walls_.archive(file);
     if (species_) species_->archive(file);
     if (file.loading()) neighbours_.forget();

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "solver/contact/surface_contact.hpp"
 #include "solver/elastic/node_mass.hpp"
 #include "solver/elastic/turn_solid.hpp"
 #include "solver/elastic/whole_pressure.hpp"
@@ -48,8 +49,10 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       sweeps_(make_pair_sweeps(settings, particles)),
       rest_density_(rest_densities_of(state_of_part)),
       passes_(std::move(state_of_part), settings.threads),
-      springs_(set, scene, ranks, {{settings.repulsion_strength}, scene.contact.range * scene.particles.spacing},
-               liquid_in_leaflets(settings)),
+      springs_(
+          set, scene, ranks,
+          {{settings.repulsion_strength}, scene.contact.range * scene.particles.spacing, !settings.surface_contact},
+          liquid_in_leaflets(settings)),
       walls_(scene, set, particles),
       driving_(scene, set, particles.space()),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
@@ -76,6 +79,8 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
     if (is_at_rest(scene)) at_rest_ = FluidExtremes{0, 1, 1};
 }
 
+FluidStep::~FluidStep() = default;
+
 FluidExtremes FluidStep::advance(double t, double dt) {
     if (at_rest_) return advance_species(t, dt);
     return settings_.corrected ? advance_corrected(t, dt) : advance_plain(t, dt);
@@ -101,7 +106,7 @@ FluidExtremes FluidStep::advance_corrected(double t, double dt) {
     timer_.timed("kick", [&] { add_outside_forces(middle, dt); });
     if (viscosity_) solve_viscous_forces(middle, dt);
     timer_.timed("kick", [&] { kick(middle, dt); });
-    timer_.timed("elastic", [&] { advance_elastic(dt); });
+    timer_.timed("elastic", [&] { advance_elastic(middle, dt); });
     timer_.timed("drift", [&] { drift_to_end_of_step(dt); });
     timer_.timed("neighbours", [&] { renew_list(); });
     sum_gradients(t + dt, dt);
@@ -124,7 +129,7 @@ FluidExtremes FluidStep::advance_plain(double t, double dt) {
     timer_.timed("kick", [&] { add_outside_forces(middle, dt); });
     if (viscosity_) solve_viscous_forces(middle, dt);
     timer_.timed("kick", [&] { kick(middle, dt); });
-    timer_.timed("elastic", [&] { advance_elastic(dt); });
+    timer_.timed("elastic", [&] { advance_elastic(middle, dt); });
     sum_density_rates(middle, dt);
     FluidExtremes extremes;
     timer_.timed("drift", [&] { extremes = drift_to_end(dt); });
@@ -214,6 +219,7 @@ void FluidStep::add_outside_forces(double t, double dt) {
     if (by_volume_) driven_volume_ = body_force_.add_pressure_forces(particles_, by_volume, settings_.threads);
     if (body_force_.depends_on_position()) count(body_force_.kick_fluid(particles_, ranks_, t, dt));
     if (!driving_.empty()) count(driving_.add_forces(particles_, springs_, ranks_, t, settings_.threads));
+    if (surface_contact_) touch(t, dt);
 }
 
 /// Density rates with the new velocities, and the diffusion of species: in the same sweep where that is possible.
@@ -266,15 +272,6 @@ void FluidStep::sum_corrections() {
           [this](ClusterChoice clusters) { sweeps_->corrections(particles_, neighbours_.list(), clusters); });
 }
 
-void FluidStep::advance_elastic(double dt) {
-    if (springs_.empty()) return;
-    const auto given = springs_.advance(particles_, dt, settings_.threads);
-    for (int axis = 0; axis < 3; ++axis) {
-        impulses_.of_fixed[axis] += given.of_anchors[axis];
-        impulses_.of_drag[axis] += given.of_drag[axis];
-    }
-}
-
 void FluidStep::update_pressure() {
     passes_.update_pressure(particles_);
     exchange({Field::position, Field::velocity, Field::pressure, Field::volume, Field::density});
@@ -313,6 +310,7 @@ void FluidStep::change_bodies(const BodyChange& change) {
     std::ranges::sort(turning);
     if (!turning.empty()) solidify_particles(particles_, turning, bodies_ahead_, neighbours_.list());
     springs_.change(change, particles_.space());
+    if (surface_contact_) surface_contact_->find_bodies(springs_);
     springs_.number_particles(particles_);
     spread_whole_pressure(particles_, springs_.bodies().size(), ranks_);
     reference_.count(particles_, ranks_);

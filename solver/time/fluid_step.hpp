@@ -24,6 +24,8 @@
 
 namespace dmp::solver {
 
+class SurfaceContact;
+
 /// The state of the fluid after a step, as the step-size controller and the watch want it.
 struct FluidExtremes {
     double largest_speed = 0;                  ///< [m/s]; not finite when any velocity is not
@@ -45,6 +47,10 @@ class FluidStep {
     FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& particles, const PairSettings& settings,
               std::vector<LiquidState> state_of_part, const Ranks& ranks);
 
+    ~FluidStep();
+    FluidStep(const FluidStep&) = delete;
+    FluidStep& operator=(const FluidStep&) = delete;
+
     /// From time t to t + dt. The fluid's extremes after it, which cost nothing on the way.
     FluidExtremes advance(double t, double dt);
     /// Of the corrected scheme, before the first step: the gradients of the initial state and the level of its
@@ -54,6 +60,11 @@ class FluidStep {
     /// Of the corrected scheme: looks for closed chambers of the fluid, each of which then keeps its volume. At times
     /// that follow from the number of the step alone. Neighbours must have been up to date in the last step.
     void find_chambers();
+
+    /// Surfaces touch from now on, with a stiffness for this step, the longest that all else allows [s].
+    void start_surface_contact(const Scene& scene, const ParticleSet& set, double longest_step);
+    /// Null where particles repel each other.
+    [[nodiscard]] const SurfaceContact* surface_contact() const { return surface_contact_.get(); }
 
     /// Takes note of how fast the fluid is; for one that starts in motion.
     void take_speed() { largest_speed_ = extremes().largest_speed; }
@@ -121,9 +132,11 @@ class FluidStep {
     [[nodiscard]] bool has_dry_bodies() const { return settings_.dry_bodies; }
     void sum_forces(double t, double dt);
     void add_outside_forces(double t, double dt);
+    void touch(double t, double dt);
+    void kick_by_contact(double t, double dt);
     void solve_viscous_forces(double t, double dt);
     void sum_density_rates(double t, double dt);
-    void advance_elastic(double dt);
+    void advance_elastic(double t, double dt);
     [[nodiscard]] ShiftStep shift_step(double dt) const;
     void exchange(const FieldList& fields);
     void kick(double t, double dt);
@@ -143,6 +156,8 @@ class FluidStep {
     std::optional<ImplicitViscosity> viscosity_;
     SpringBodies springs_;
     WallMotion walls_;
+    std::unique_ptr<SurfaceContact> surface_contact_;
+    int contact_parts_ = 1;  ///< of the present step
     std::optional<SpeciesTransport> species_;
     Driving driving_;
     Neighbours neighbours_;

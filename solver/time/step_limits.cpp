@@ -71,6 +71,9 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
     if (scales.contact_limit > 0)
         limits.push_back({"contact", scales.factors.contact * scales.contact_limit,
                           "contact_step_factor of 2 / omega of the repulsion, at touch or nearer"});
+    if (scales.surface_contact_limit > 0 && std::isfinite(scales.surface_contact_limit))
+        limits.push_back({"contact of surfaces", scales.surface_contact_limit,
+                          "0.8 of 2 / omega where all surfaces touch, by contact.stiffness"});
     return limits;
 }
 

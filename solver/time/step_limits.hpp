@@ -26,6 +26,7 @@ struct StepScales {
     double density_diffusion = 0;                                 ///< delta [-]
     double drive_time = std::numeric_limits<double>::infinity();  ///< in which what drives the scene changes [s]
     double contact_limit = 0;                                     ///< 2 / omega [s]; 0: no contact
+    double surface_contact_limit = 0;                             ///< of surfaces [s]; 0: none
     bool elastic_solids = false;                                  ///< there are some that move
     double lightest_solid = 1;  ///< least mass of an elastic node over that of the liquid it displaces, at most 1 [-]
     bool implicit_viscosity = false;

@@ -85,10 +85,10 @@ std::optional<std::string> after(const BlockAboveFloor& made, double move, bool 
     for (std::size_t i = 0; i < nodes.owned(); ++i)
         if (nodes.tags()[i].part == 0) nodes.data(Field::position, 1)[i] += move * spacing;
     neighbours.renew(particles);
-    const std::optional<Warning> found = monitor.look(particles, neighbours.list(), ranks, 0.25);
+    const std::optional<Warning> found = monitor.look(particles, neighbours.list(), nullptr, ranks, 0.25);
     if (!found) return {};
-    EXPECT_FALSE(monitor.look(particles, neighbours.list(), ranks, 0.5));  // once
-    EXPECT_EQ(monitor.warning()->text(), found->text());
+    EXPECT_FALSE(monitor.look(particles, neighbours.list(), nullptr, ranks, 0.5));  // once
+    EXPECT_EQ(monitor.warning(nullptr)->text(), found->text());
     return found->text();
 }
 

@@ -1,0 +1,30 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/contact_keys.hpp"
+
+namespace dmp::scene {
+
+// Columns as in schema.cpp.
+// clang-format off
+
+std::vector<Key<Contact>> contact_keys() {
+    return {
+        {"between", &Contact::between, one_of<ContactBetween>(), "auto",
+         "What elastic bodies and walls touch with: their drawn \"surfaces\", or \"particles\" that repel each other, "
+         "as in the published studies. \"auto\": surfaces where all elastic parts have them (2-D, no [[solidify]])."},
+        {"stiffness", &Contact::stiffness, quantity_or_auto("1e9 Pa/m"), "auto",
+         "Contact of surfaces: pressure over the depth to which they pass into each other; \"auto\": as much as the "
+         "time step allows."},
+        {"friction", &Contact::friction, number(not_negative), "0",
+         "Contact of surfaces: coefficient of friction (Coulomb's)."},
+        {"damping", &Contact::damping, number(not_negative), "0",
+         "Contact of surfaces: dashpot along the normal, as a fraction of the critical one."},
+        {"range", &Contact::range, number(not_negative), ByScheme{"0.7", "1.0"},
+         "Cut-off distance of the short-range repulsion between particles of elastic bodies and all others, in "
+         "spacings; of liquid alone where surfaces touch. 0 turns all contact off."},
+        {"strength", &Contact::strength, quantity_or_auto("1e-6 J"), "auto",
+         "Strength K of the short-range repulsion; \"auto\" chooses it."},
+    };
+}
+// clang-format on
+
+}  // namespace dmp::scene

@@ -1,0 +1,132 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "models/contact/surface_contact.hpp"
+#include "scene/scene.hpp"
+#include "solver/contact/contact_surfaces.hpp"
+#include "solver/contact/piece_pairs.hpp"
+#include "solver/state/archive.hpp"
+#include "solver/store/particle_store.hpp"
+#include "solver/uses.hpp"
+
+namespace dmp::solver {
+
+/// Contact of elastic bodies with each other, with walls and with themselves, as their drawn surfaces. Each surface is
+/// sampled at Gauss points q, of weight w; each meets the nearest point y of another surface that faces it, whose
+/// normal is n:
+///   g = (x_q - y) . n,   U = SUM a w k g^2 / 2   (g < 0),   a = W(y) / (W(q) + W(y))
+/// Both surfaces are sampled, hence the share a, a half but near corners that stick out, where the samples of the
+/// corner have more (ContactSurfaces::weight): samples that pass a corner are not lost at once. As x_q - y is along n,
+/// the forces -+ (a w k g n + da/ds w k g^2 / 2 tau), given to what carries x_q and y, are exactly the gradient of U,
+/// and opposite: energy and momentum are kept. What acts along the surfaces (the second term, friction) acts at x_q and
+/// y, which are g apart; its moment is taken by a couple on the piece of x_q. (Puso & Laursen 2004; Fischer & Wriggers
+/// 2005; docs/contact.md)
+///
+/// Every rank holds all bodies and does the same.
+class SurfaceContact {
+  public:
+    /// @param longest_step that the other limits allow [s]: an automatic stiffness does not shorten it
+    SurfaceContact(const Scene& scene, const ParticleSet& set, const SpringBodies& bodies, double longest_step,
+                   int threads);
+
+    /// Bodies have been cut or joined.
+    void find_bodies(const SpringBodies& bodies);
+    /// Whether steps in which something may touch are taken in parts where the stiffness needs that; else it sets a limit
+    /// to the step.
+    [[nodiscard]] bool takes_parts() const { return in_parts_; }
+    /// In how many parts a step has to be taken, each with a kick: one where nothing will touch in it.
+    [[nodiscard]] int parts_of_step(const SpringBodies& bodies, const WallMotion& walls, double t, double dt);
+    struct Impulses {
+        Vec of_supports, on_walls;  ///< [N s]
+    };
+    /// Kicks the bodies by the forces of contact at their present places, over dt.
+    Impulses kick(SpringBodies& bodies, const WallMotion& walls, double t, double dt);
+    /// Adds the mean forces on walls since the last time, over dt, to those of the store.
+    void show_on_walls(ParticleStore& particles, double dt);
+    /// Largest stable step, or part of one, where all surfaces touch [s].
+    [[nodiscard]] double step_limit() const;
+
+    /// Of elastic parts, with their names [Pa/m].
+    [[nodiscard]] std::vector<std::pair<std::string, double>> stiffness_of_parts() const;
+
+    /// As of the last kick.
+    struct State {
+        double energy = 0;        ///< [J]
+        double area = 0;          ///< that touches, of one side [m^2]
+        double deepest = 0;       ///< [m]
+        Vec place = Vec::Zero();  ///< of the deepest [m]
+    };
+    [[nodiscard]] const State& state() const { return state_; }
+    /// Over the run so far.
+    struct Deepest {
+        double depth = 0;         ///< [m]
+        double time = 0;          ///< [s]
+        Vec place = Vec::Zero();  ///< [m]
+        std::array<int, 2> parts{};
+    };
+    [[nodiscard]] const Deepest& deepest() const { return deepest_of_all_; }
+
+    void archive(Archive& file);
+
+  private:
+    struct Touch {
+        bool is_one = false;
+        int piece = -1;  ///< that it meets
+        double t = 0;    ///< where on it
+        Vec from = Vec::Zero(), at = Vec::Zero(), normal = Vec::Zero();
+        double gap = 0;
+        double share = 0, share_slope = 0;  ///< a [-], da/ds [1/m]
+    };
+    /// What a point of a surface remembers.
+    struct Memory {
+        int part = -1;           ///< that it touches; -1: none
+        Vec slip = Vec::Zero();  ///< [m]
+    };
+    /// Where bodies were drawn into each other.
+    struct Start {
+        int part = -1;   ///< into which; -1: none
+        double gap = 0;  ///< [m]
+    };
+
+    void find_stiffness(const Scene& scene, const SpringBodies& bodies, double longest_step);
+    [[nodiscard]] double rate_of_full_touch(int part) const;
+    void find_start(const Scene& scene, const SpringBodies& bodies);
+    void read_bodies(const SpringBodies& bodies);
+    void archive_deepest(Archive& file);
+    void find_touches();
+    [[nodiscard]] Touch touch_of(int piece, std::size_t point) const;
+    [[nodiscard]] double gap_at(const Vec& from, int piece, double t, const Vec& shift, Vec& normal) const;
+    [[nodiscard]] double stiffness_of(int piece, int other) const;
+    void add_forces(const WallMotion& walls, double t, double dt);
+    void add_couple(int piece, const Vec& arm, const Vec& force);
+    [[nodiscard]] Vec velocity_at(int piece, double t, const WallMotion& walls, double time) const;
+
+    const ParticleSpace space_;
+    int threads_;
+    SurfaceContactLaw law_;
+    double given_stiffness_;  ///< 0: none
+    bool in_parts_;           ///< whether steps may be taken in parts
+    double deepest_;          ///< how far behind a surface it looks [m]
+    ContactSurfaces surfaces_;
+    PiecePairs pairs_;
+    std::vector<double> stiffness_;  ///< by part; of walls infinite [Pa/m]
+    std::vector<double> rate_;       ///< by part: square of the highest frequency where all of it touches a wall, over
+                                     ///< the stiffness [m^2/kg]
+
+    std::vector<Vec> position_, velocity_, force_;  ///< by unknown
+    std::vector<double> inverse_mass_;
+    std::vector<Touch> touches_;         ///< by point of all pieces
+    std::vector<Memory> memory_;         ///< likewise
+    std::vector<Start> start_;           ///< likewise
+    std::vector<Vec> on_walls_;          ///< by piece [N]
+    std::vector<Vec> impulse_on_walls_;  ///< by piece, in this step [N s]
+    State state_;
+    Deepest deepest_of_all_;
+};
+
+}  // namespace dmp::solver
