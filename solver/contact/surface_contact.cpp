@@ -21,7 +21,7 @@ constexpr double looks_behind = 1;
 /// Normals of surfaces that touch have a cosine below this.
 constexpr double most_facing = -0.3;
 /// Surfaces drawn deeper into each other than this overlap; else their contact begins there [spacings].
-constexpr double deepest_start = 0.1;
+constexpr double deepest_start = 0.2;
 /// The time step, or a part of it, as a fraction of the largest stable one.
 constexpr double step_factor = 0.8;
 constexpr double most_parts = 1e6;
