@@ -29,6 +29,8 @@ double turn_at(const Vec& before, const Vec& point, const Vec& after) {
 /// The line in pieces of the right length.
 Polyline in_pieces(const Polyline& line, double spacing) {
     std::vector<Vec> kept;
+    bool last_is_corner = true;
+    const double shortest = 0.5 * longest_piece * spacing;
     const std::size_t count = line.points.size();
     for (std::size_t k = 0; k < count; ++k) {
         const Vec& point = line.points[k];
@@ -36,12 +38,17 @@ Polyline in_pieces(const Polyline& line, double spacing) {
         const bool is_corner =
             is_end || turn_at(line.points[(k + count - 1) % count], point, line.points[(k + 1) % count]) > corner_angle;
         const double least = is_corner ? 1e-9 : 0.5 * longest_piece;
+        // A smooth point so near before a corner makes way for it.
+        if (is_corner && !last_is_corner && kept.size() > 1 && (point - kept.back()).norm() < shortest) kept.pop_back();
         if (kept.empty() || (point - kept.back()).norm() >= least * spacing) {
             kept.push_back(point);
+            last_is_corner = is_corner;
         } else if (is_end) {
             kept.back() = point;
         }
     }
+    if (line.closed && kept.size() > 3 && !last_is_corner && (kept.back() - kept.front()).norm() < shortest)
+        kept.pop_back();  // a curve through points at uneven distances would turn back
     Polyline pieces{{}, line.closed};
     const std::size_t lines = line.closed ? kept.size() : kept.size() - 1;
     for (std::size_t k = 0; k < lines; ++k) {
@@ -206,9 +213,9 @@ void draw_wall(const CurveSet& curve, int part, const FreeSpace& free, const Par
     for (const Polyline& line : lines)
         writer.add(part, line, 0, [&](const Vec& a, const Vec& b) { return is_free(a, b, -1) && !is_free(a, b, 1); });
     writer.find_thickness(first);
-    // With free space on both sides it is as thin as its line.
+    // With free space on both sides, or none, as above a liquid, it is as thin as its line.
     for (const Polyline& line : lines)
-        writer.add(part, line, 0, [&](const Vec& a, const Vec& b) { return is_free(a, b, -1) && is_free(a, b, 1); });
+        writer.add(part, line, 0, [&](const Vec& a, const Vec& b) { return is_free(a, b, -1) == is_free(a, b, 1); });
 }
 
 }  // namespace

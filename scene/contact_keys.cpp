@@ -10,13 +10,13 @@ std::vector<Key<Contact>> contact_keys() {
     return {
         {"between", &Contact::between, one_of<ContactBetween>(), unwritten("auto"),
          "What elastic bodies and walls touch with: their drawn \"surfaces\", or \"particles\" that repel each other, "
-         "as in the published studies. \"auto\": surfaces where all elastic parts have them (2-D, no [[solidify]])."},
+         "as in the published studies. \"auto\": surfaces in 2-D without [[solidify]] and planes of symmetry."},
         {"stiffness", &Contact::stiffness, quantity_or_auto("1e9 Pa/m"), unwritten("auto"),
          "Contact of surfaces: pressure over the depth to which they pass into each other; \"auto\": as much as the "
          "time step allows."},
         {"friction", &Contact::friction, number(not_negative), unwritten("0"),
          "Contact of surfaces: coefficient of friction (Coulomb's)."},
-        {"damping", &Contact::damping, number(not_negative), unwritten("0"),
+        {"damping", &Contact::damping, number(between(0, 1)), unwritten("0"),
          "Contact of surfaces: dashpot along the normal, as a fraction of the critical one."},
         {"range", &Contact::range, number(not_negative), ByScheme{"0.7", "1.0"},
          "Cut-off distance of the short-range repulsion between particles of elastic bodies and all others, in "

@@ -126,8 +126,9 @@ void need_terms_that_go_together(const Scene& scene) {
 ContactBetween chosen_contact(const Scene& scene) {
     switch (*scene.contact.between) {
         case ContactBetween::automatic:
-            return scene.dimension == 2 && scene.solidify.empty() ? ContactBetween::surfaces
-                                                                  : ContactBetween::particles;
+            return scene.dimension == 2 && scene.solidify.empty() && scene.flow.symmetry->empty()
+                       ? ContactBetween::surfaces
+                       : ContactBetween::particles;
         case ContactBetween::surfaces:
         case ContactBetween::particles:
             return scene.contact.between;
@@ -142,6 +143,15 @@ void need_surfaces_for_what_they_have(const Scene& scene) {
         const SourceLocation& location = contact.between.location;
         if (scene.dimension == 3)
             throw InputError(location, "contact.between = \"surfaces\" is not available in 3-D", "leave it out");
+        if (!scene.flow.symmetry->empty())
+            throw InputError(location, "contact.between = \"surfaces\" is not available beside planes of symmetry",
+                             "leave it out, or draw both halves");
+        if (contact.friction > 0)
+            for (const Part* wall : scene.parts_of(PartKind::rigid))
+                if (wall->slides())
+                    throw InputError(contact.friction.location,
+                                     "contact.friction does not know how the surface of '" + *wall->name + "' slides",
+                                     "leave friction out, or move the wall with velocity");
         if (!scene.solidify.empty())
             throw InputError(location, "contact.between = \"surfaces\": what a [[solidify]] makes has no drawn surface",
                              "leave it out");
@@ -150,7 +160,7 @@ void need_surfaces_for_what_they_have(const Scene& scene) {
     const auto refuse = [](const Value<double>& value, const std::string& key) {
         if (value.given() && value > 0)
             throw InputError(value.location, "contact." + key + " is of surfaces, and here particles repel each other",
-                             "leave it out; surfaces touch in 2-D, without [[solidify]]");
+                             "leave it out; surfaces touch in 2-D, without [[solidify]] and planes of symmetry");
     };
     refuse(contact.friction, "friction");
     refuse(contact.damping, "damping");

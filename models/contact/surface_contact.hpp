@@ -38,8 +38,12 @@ struct SurfaceContactLaw {
     /// [J/m^2]
     static double energy(double stiffness, double gap) { return gap < 0 ? 0.5 * stiffness * gap * gap : 0; }
 
-    /// How much stiffer friction can make a contact for the largest stable step.
-    [[nodiscard]] double stiffening() const { return friction > 0 ? 1 + tangential_stiffness : 1; }
+    /// As how much stiffer a contact counts for the largest stable step, because of friction and of the dashpot, with
+    /// which it is 2 / omega ((1 + zeta^2)^1/2 - zeta).
+    [[nodiscard]] double stiffening() const {
+        const double shorter = std::sqrt(1 + damping * damping) - damping;
+        return (friction > 0 ? 1 + tangential_stiffness : 1) / (shorter * shorter);
+    }
 };
 
 }  // namespace dmp::models

@@ -177,6 +177,8 @@ void ContactSurfaces::find_particles(const ParticleSet& set) {
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
         const std::vector<int>& near = particles_near_[static_cast<std::size_t>(drawn_[k].control[1].front().first)];
         if (pieces_[k].is_wall && !near.empty()) pieces_[k].wall_particle = near.front();
+        pieces_[k].solid = pieces_[k].is_wall || near.empty() ? -2 - pieces_[k].part
+                                                              : set.body[static_cast<std::size_t>(near.front())];
     }
 }
 

@@ -21,6 +21,7 @@ class ContactSurfaces {
 
     struct Piece {
         int part = 0;
+        int solid = 0;  ///< the body that it was drawn of; of walls -2 - part
         bool is_wall = false;
         bool is_there = true;                          ///< false where what carries it has torn apart
         int previous = -1, next = -1;                  ///< on the surface; -1: an end

@@ -102,12 +102,16 @@ void PiecePairs::update(const ContactSurfaces& surfaces) {
                       radius(own.now) + radius(other.now) + deepest_ + skin * space_.spacing))
                     return;
                 if (normal.dot(other.now.normal(0.5)) > may_face) return;
-                if (own.part == other.part) {
+                if (own.solid == other.solid) {
                     const Vec apart = nearest_image(middle(own.at_rest) - middle(other.at_rest), space_);
                     if (apart.norm() < neighbourhood * space_.spacing) return;
                 }
                 // From the image beside this piece to where the other is, and from this piece to where it is.
-                const Vec shift = (middle(own.now) - inside[k]) - (middle(other.now) - place);
+                Vec shift = (middle(own.now) - inside[k]) - (middle(other.now) - place);
+                for (int axis = 0; axis < space_.dimension; ++axis)  // whole periods, whenever it looks
+                    shift[axis] = space_.periodic[static_cast<std::size_t>(axis)]
+                                      ? std::round(shift[axis] / space_.box.extent()[axis]) * space_.box.extent()[axis]
+                                      : 0;
                 others_.push_back({static_cast<int>(j), shift});
             });
         const auto begin = others_.begin() + static_cast<std::ptrdiff_t>(first_.back());

@@ -28,13 +28,9 @@ constexpr double most_parts = 1e6;
 
 std::size_t number(int index) { return static_cast<std::size_t>(index); }
 
-/// In liquid, kicks of the fluid meet modes of springs that the implicit step of a whole one does not have: the vein
-/// valve's leaflets diverged. A solve for viscous forces has the bodies' whole step in it.
-bool may_take_parts(const Scene& scene, const SpringBodies& bodies) {
-    if (scene.parts_of(PartKind::fluid).empty()) return true;
-    return *scene.numerics.viscosity_stepping == ViscosityStepping::explicitly &&
-           std::ranges::all_of(bodies.bodies(), [](const auto& body) { return body->consists_of_cells(); });
-}
+/// In liquid, kicks of the fluid meet modes of the bodies that the implicit step of a whole one does not have: leaflets
+/// of springs and stiff bodies of cells diverged.
+bool may_take_parts(const Scene& scene) { return scene.parts_of(PartKind::fluid).empty(); }
 
 }  // namespace
 
@@ -44,7 +40,8 @@ SurfaceContact::SurfaceContact(const Scene& scene, const ParticleSet& set, const
       threads_(threads),
       law_{scene.contact.friction, scene.contact.damping},
       given_stiffness_(scene.contact.stiffness),
-      in_parts_(may_take_parts(scene, bodies)),
+      at_walls_(scene.contact.stiffness > 0 ? 1 : 2),
+      in_parts_(may_take_parts(scene)),
       deepest_(looks_behind * set.spacing),
       surfaces_(set, bodies),
       pairs_(space_, deepest_) {
@@ -164,16 +161,19 @@ std::vector<std::pair<std::string, double>> SurfaceContact::stiffness_of_parts()
 
 double SurfaceContact::step_limit() const {
     double fastest = 0;
-    for (std::size_t a = 0; a < rate_.size(); ++a)
+    for (std::size_t a = 0; a < rate_.size(); ++a) {
+        if (!std::isfinite(stiffness_[a])) continue;
+        fastest = std::max(fastest, at_walls_ * stiffness_[a] * rate_[a]);
         for (std::size_t b = 0; b < rate_.size(); ++b)
-            if (const double stiffness = std::min(stiffness_[a], stiffness_[b]); std::isfinite(stiffness))
-                fastest = std::max(fastest, stiffness * std::max(rate_[a], rate_[b]));
-    return step_factor * 2 / std::sqrt(2 * law_.stiffening() * fastest);
+            fastest = std::max(fastest, 2 * std::min(stiffness_[a], stiffness_[b]) * std::max(rate_[a], rate_[b]));
+    }
+    return step_factor * 2 / std::sqrt(law_.stiffening() * fastest);
 }
 
 double SurfaceContact::stiffness_of(int piece, int other) const {
-    return std::min(stiffness_[number(surfaces_.pieces()[number(piece)].part)],
-                    stiffness_[number(surfaces_.pieces()[number(other)].part)]);
+    const auto &own = surfaces_.pieces()[number(piece)], &met = surfaces_.pieces()[number(other)];
+    return (own.is_wall || met.is_wall ? at_walls_ : 1) *
+           std::min(stiffness_[number(own.part)], stiffness_[number(met.part)]);
 }
 
 /// Where surfaces are drawn into each other, their gap counts from there; bodies that are free must not overlap.
@@ -189,13 +189,14 @@ void SurfaceContact::find_start(const Scene& scene, const SpringBodies& bodies) 
         });
         return held;
     };
+    std::vector<Start> starts(touches_.size());
     for (std::size_t point = 0; point < touches_.size(); ++point) {
         const Touch& touch = touches_[point];
         if (!touch.is_one) continue;
         const int piece = static_cast<int>(point / points_of_piece);
         const auto& own = surfaces_.pieces()[number(piece)];
         const auto& other = surfaces_.pieces()[number(touch.piece)];
-        start_[point] = {other.part, touch.gap};
+        starts[point] = {other.solid, touch.gap};
         const bool is_joined =
             is_held(own.is_wall ? touch.piece : piece, own.is_wall ? touch.t : gauss_points[point % points_of_piece]);
         if (is_joined || -touch.gap < deepest_start * space_.spacing) continue;
@@ -205,6 +206,7 @@ void SurfaceContact::find_start(const Scene& scene, const SpringBodies& bodies) 
                              position_text(touch.from, space_.dimension),
                          "draw them apart, or write [contact] between = \"particles\"");
     }
+    start_ = starts;
     for (Touch& touch : touches_) touch = {};
     for (Memory& memory : memory_) memory = {};
 }
@@ -252,12 +254,15 @@ SurfaceContact::Touch SurfaceContact::touch_of(int piece, std::size_t point) con
     touch.gap = gap_at(touch.from, touch.piece, touch.t, shift, touch.normal);
     touch.at = other.now.at(touch.t) + shift;
     // What a thin body has passed through in one step it is beyond; once it touches, it is followed deeper.
-    const bool touched = memory_[index].part == other.part;
+    const bool touched = memory_[index].solid == other.solid;
     const double deepest = touched ? deepest_ : std::min(deepest_, 0.5 * (own.thickness + other.thickness));
+    touch.is_apart = touch.gap > 0;
+    if (start_[index].solid == other.solid) touch.gap -= start_[index].gap;
     if (-touch.gap > deepest) return touch;
-    if (start_[index].part == other.part) touch.gap -= start_[index].gap;
-    // Beyond a corner that sticks out there is nothing.
-    touch.is_one = touch.gap < 0 && !(touch.t == 0 && other.is_sharp[0]) && !(touch.t == 1 && other.is_sharp[1]);
+    // Beyond a corner that sticks out, or an end, there is nothing.
+    const bool is_beyond = (touch.t == 0 && (other.is_sharp[0] || other.previous < 0)) ||
+                           (touch.t == 1 && (other.is_sharp[1] || other.next < 0));
+    touch.is_one = touch.gap < 0 && !is_beyond;
     const double here = ContactSurfaces::weight(own, gauss_points[point]).value;
     const auto [there, slope] = ContactSurfaces::weight(other, touch.t);
     touch.share = there / (here + there);
@@ -272,8 +277,12 @@ void SurfaceContact::find_touches() {
         for (std::size_t p = 0; p < points_of_piece; ++p) {
             const std::size_t index = static_cast<std::size_t>(k) * points_of_piece + p;
             touches_[index] = pairs_.others(static_cast<int>(k)).empty() ? Touch{} : touch_of(static_cast<int>(k), p);
-            const int part = touches_[index].is_one ? surfaces_.pieces()[number(touches_[index].piece)].part : -1;
-            if (memory_[index].part != part) memory_[index] = {part, Vec::Zero()};
+            const Touch& touch = touches_[index];
+            const int other = touch.piece < 0 ? no_solid : surfaces_.pieces()[number(touch.piece)].solid;
+            // What was drawn into another solid has left it once it is in front of it.
+            if (start_[index].solid != other || touch.is_apart) start_[index] = {};
+            const int touched = touch.is_one ? other : no_solid;
+            if (memory_[index].solid != touched) memory_[index] = {touched, Vec::Zero()};
         }
 }
 
@@ -315,33 +324,32 @@ void SurfaceContact::add_forces(const WallMotion& walls, double t, double dt) {
         const double at = gauss_points[index % points_of_piece],
                      area = touch.share * own.weight[index % points_of_piece];
         const double stiffness = stiffness_of(piece, touch.piece);
-
-        double inverse_mass = 0;
-        const auto meet = [&](int unknown, double share) {
-            inverse_mass += share * share * inverse_mass_[number(unknown)];
-        };
-        surfaces_.for_each_share(piece, at, meet);
-        surfaces_.for_each_share(touch.piece, touch.t, meet);
+        if (!std::isfinite(stiffness)) continue;  // both are held
 
         Vec past = Vec::Zero();
         if (needs_velocity) past = velocity_at(piece, at, walls, t) - velocity_at(touch.piece, touch.t, walls, t);
-        const double mass_per_area = inverse_mass > 0 ? 1 / (inverse_mass * area) : 0;
+        const double inverse_mass =
+            rate_[number(own.part)] + rate_[number(surfaces_.pieces()[number(touch.piece)].part)];
+        const double mass_per_area = inverse_mass > 0 ? 1 / inverse_mass : 0;
         const double pressure = law_.pressure(stiffness, touch.gap, past.dot(touch.normal), mass_per_area);
         // Towards where there is more of the contact, its energy grows.
         Vec tangential = Vec::Zero();
-        if (touch.share_slope != 0)
-            tangential -= touch.share_slope * own.weight[index % points_of_piece] *
-                          SurfaceContactLaw::energy(stiffness, touch.gap) *
-                          surfaces_.pieces()[number(touch.piece)].now.tangent(touch.t).normalized();
+        if (touch.share_slope != 0) {
+            tangential = -touch.share_slope * own.weight[index % points_of_piece] *
+                         SurfaceContactLaw::energy(stiffness, touch.gap) *
+                         surfaces_.pieces()[number(touch.piece)].now.tangent(touch.t).normalized();
+            add_couple(touch.piece, touch.from - touch.at, tangential);
+        }
         if (law_.friction > 0) {
             Vec& slip = memory_[index].slip;
             const double length = slip.norm();
             slip -= slip.dot(touch.normal) * touch.normal;
             if (slip.norm() > 0) slip *= length / slip.norm();
             slip += dt * (past - past.dot(touch.normal) * touch.normal);
-            tangential += area * law_.traction(stiffness, pressure, slip);
+            const Vec friction = area * law_.traction(stiffness, pressure, slip);
+            add_couple(piece, touch.from - touch.at, friction);
+            tangential += friction;
         }
-        if (tangential != Vec::Zero()) add_couple(piece, touch.from - touch.at, tangential);
         const Vec force = area * pressure * touch.normal + tangential;
         push(piece, at, force);
         push(touch.piece, touch.t, -force);
@@ -367,7 +375,7 @@ int SurfaceContact::parts_of_step(const SpringBodies& bodies, const WallMotion& 
     double fastest = walls.largest_speed(t);
     for (const Vec& velocity : velocity_) fastest = std::max(fastest, velocity.norm());
     // Bodies may be as fast again at the end of the step as they are now.
-    return pairs_.nearest(surfaces_) < 4 * fastest * dt ? static_cast<int>(std::min(parts, most_parts)) : 1;
+    return pairs_.nearest(surfaces_) <= 4 * fastest * dt ? static_cast<int>(std::min(parts, most_parts)) : 1;
 }
 
 SurfaceContact::Impulses SurfaceContact::kick(SpringBodies& bodies, const WallMotion& walls, double t, double dt) {
@@ -422,17 +430,27 @@ void SurfaceContact::archive(Archive& file) {
     std::vector<double> parts;
     std::vector<Vector<double, 3>> slips;
     for (const Memory& memory : memory_) {
-        parts.push_back(memory.part);
+        parts.push_back(memory.solid);
         slips.push_back({memory.slip[0], memory.slip[1], memory.slip[2]});
     }
+    std::vector<double> starts, start_gaps;
+    for (const Start& start : start_) {
+        starts.push_back(start.solid);
+        start_gaps.push_back(start.gap);
+    }
     const std::size_t points = memory_.size();
-    file("contact/parts", parts);
+    file("contact/solids", parts);
+    file("contact/starts", starts);
+    file("contact/start_gaps", start_gaps);
     if (law_.friction > 0) file("contact/slips", slips);
     if (!file.starts_run()) archive_deepest(file);
     if (!file.loading()) return;
-    if (parts.size() != points || slips.size() != points) throw unlike_any_run("contact of other surfaces");
-    for (std::size_t k = 0; k < points; ++k)
+    if (parts.size() != points || slips.size() != points || starts.size() != points || start_gaps.size() != points)
+        throw unlike_any_run("contact of other surfaces");
+    for (std::size_t k = 0; k < points; ++k) {
         memory_[k] = {static_cast<int>(parts[k]), Vec(slips[k][0], slips[k][1], slips[k][2])};
+        start_[k] = {static_cast<int>(starts[k]), start_gaps[k]};
+    }
 }
 
 }  // namespace dmp::solver

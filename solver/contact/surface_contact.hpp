@@ -17,15 +17,15 @@
 namespace dmp::solver {
 
 /// Contact of elastic bodies with each other, with walls and with themselves, as their drawn surfaces. Each surface is
-/// sampled at Gauss points q, of weight w; each meets the nearest point y of another surface that faces it, whose
-/// normal is n:
+/// sampled at Gauss points q, of weight w; each meets the nearest point y of another surface that faces it, whose normal
+/// is n:
 ///   g = (x_q - y) . n,   U = SUM a w k g^2 / 2   (g < 0),   a = W(y) / (W(q) + W(y))
-/// Both surfaces are sampled, hence the share a, a half but near corners that stick out, where the samples of the
-/// corner have more (ContactSurfaces::weight): samples that pass a corner are not lost at once. As x_q - y is along n,
-/// the forces -+ (a w k g n + da/ds w k g^2 / 2 tau), given to what carries x_q and y, are exactly the gradient of U,
-/// and opposite: energy and momentum are kept. What acts along the surfaces (the second term, friction) acts at x_q and
-/// y, which are g apart; its moment is taken by a couple on the piece of x_q. (Puso & Laursen 2004; Fischer & Wriggers
-/// 2005; docs/contact.md)
+/// Both surfaces are sampled, hence the share a, a half but near corners that stick out, where the samples of the corner
+/// have more (ContactSurfaces::weight): samples that pass a corner are not lost at once. As x_q - y is along n, the
+/// forces -+ (a w k g n + da/ds w k g^2 / 2 tau), given to what carries x_q and y, are the gradient of U (the second
+/// term to lowest order in g), and opposite: energy and momentum are kept. What acts along the surfaces (the second
+/// term, friction) acts at x_q and y, which are g apart; its moment is taken by a couple on a piece.
+/// (Puso & Laursen 2004; Fischer & Wriggers 2005; docs/elastic.md)
 ///
 /// Every rank holds all bodies and does the same.
 class SurfaceContact {
@@ -36,8 +36,8 @@ class SurfaceContact {
 
     /// Bodies have been cut or joined.
     void find_bodies(const SpringBodies& bodies);
-    /// Whether steps in which something may touch are taken in parts where the stiffness needs that; else it sets a limit
-    /// to the step.
+    /// Whether steps in which something may touch are taken in parts where the stiffness needs that; else it sets a
+    /// limit to the step.
     [[nodiscard]] bool takes_parts() const { return in_parts_; }
     /// In how many parts a step has to be taken, each with a kick: one where nothing will touch in it.
     [[nodiscard]] int parts_of_step(const SpringBodies& bodies, const WallMotion& walls, double t, double dt);
@@ -74,23 +74,26 @@ class SurfaceContact {
     void archive(Archive& file);
 
   private:
+    static constexpr int no_solid = -1;
+
     struct Touch {
         bool is_one = false;
-        int piece = -1;  ///< that it meets
-        double t = 0;    ///< where on it
+        bool is_apart = false;  ///< whether the point is in front of the surface that it is nearest to
+        int piece = -1;         ///< that it meets
+        double t = 0;           ///< where on it
         Vec from = Vec::Zero(), at = Vec::Zero(), normal = Vec::Zero();
         double gap = 0;
         double share = 0, share_slope = 0;  ///< a [-], da/ds [1/m]
     };
     /// What a point of a surface remembers.
     struct Memory {
-        int part = -1;           ///< that it touches; -1: none
+        int solid = no_solid;    ///< that it touches
         Vec slip = Vec::Zero();  ///< [m]
     };
     /// Where bodies were drawn into each other.
     struct Start {
-        int part = -1;   ///< into which; -1: none
-        double gap = 0;  ///< [m]
+        int solid = no_solid;  ///< into which
+        double gap = 0;        ///< [m]
     };
 
     void find_stiffness(const Scene& scene, const SpringBodies& bodies, double longest_step);
@@ -110,6 +113,7 @@ class SurfaceContact {
     int threads_;
     SurfaceContactLaw law_;
     double given_stiffness_;  ///< 0: none
+    double at_walls_;         ///< how much stiffer an automatic contact is at walls, which do not give way
     bool in_parts_;           ///< whether steps may be taken in parts
     double deepest_;          ///< how far behind a surface it looks [m]
     ContactSurfaces surfaces_;

@@ -10,6 +10,7 @@
 #include "base/errors.hpp"
 #include "base/unlisted_value.hpp"
 #include "models/contact/repulsion.hpp"
+#include "scene/checks.hpp"
 #include "solver/elastic/node_mass.hpp"
 #include "solver/forcing/drive_time.hpp"
 #include "solver/forcing/driven.hpp"
@@ -152,9 +153,13 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
 /// Whether bodies and walls touch as their surfaces, which particles of unknown origin have not.
 bool touches_as_surfaces(const Scene& scene, const ParticleSet& set) {
     if (!scene.has_surface_contact()) return false;
-    if (scene.contact.between.given() && set.contact_lines.empty())
-        throw InputError(scene.contact.between.location,
-                         "contact.between = \"surfaces\", and the particles come without surfaces",
+    const auto& contact = scene.contact;
+    const bool wants_surfaces =
+        contact.between.given() || contact.friction > 0 || contact.damping > 0 || contact.stiffness > 0;
+    if (wants_surfaces && set.contact_lines.empty())
+        throw InputError(first_known(scene, {&contact.between.location, &contact.friction.location,
+                                             &contact.damping.location, &contact.stiffness.location}),
+                         "contact is to be between surfaces, and the particles come without them",
                          "mesh them from a geometry, or write between = \"particles\"");
     return !set.contact_lines.empty();
 }

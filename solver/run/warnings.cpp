@@ -73,6 +73,11 @@ class Warnings {
             has_no_effect("contact.strength", contact.strength, "no part is solid");
         } else if (scene_.has_surface_contact()) {
             if (!fluid_) has_no_effect("contact.strength", contact.strength, "bodies touch as their surfaces");
+            if (!scene_.breaking.empty())
+                add("contact.between", contact.between.location,
+                    "is \"surfaces\", and what breaks has none where it broke: pieces of one body may pass into each "
+                    "other there",
+                    "write between = \"particles\", if pieces meet again");
         } else if (springs_ && !fluid_ && *contact.strength == 0) {
             add("contact.strength", contact.strength.location,
                 "is \"auto\", which follows the fluid, and there is none: spring bodies that touch will pass through "

@@ -198,12 +198,12 @@ TEST(SurfaceContact, lets_smooth_discs_pass_without_spin) {
 }
 
 TEST(SurfaceContact, refuses_bodies_that_are_drawn_into_each_other_with_the_place) {
-    const Meshed meshed = mesh_texts(Slide{.above = -0.15}.texts());
+    const Meshed meshed = mesh_texts(Slide{.above = -0.12}.texts());
     try {
         Simulation(meshed.scene, meshed.particles, Resources(1));
         FAIL() << "nothing said";
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("overlap at the start, by 0.15 mm at ("));
+        EXPECT_THAT(error.what(), HasSubstr("overlap at the start, by 0.12 mm at ("));
         EXPECT_THAT(error.what(), HasSubstr("'block'"));
     }
 }
