@@ -279,10 +279,11 @@ TEST(Plan, of_the_vein_valve_names_models_with_reasons) {
     const SceneAndParticles made = case_of("vein_valve", {"particles.spacing=0.4 mm"});
     const Simulation simulation(made.scene, made.particles, 1);
     const Plan plan = simulation.plan();
-    EXPECT_THAT(models(plan), ElementsAre("equation of state", "continuity", "pressure force", "velocity gradient",
-                                          "pressure level", "viscous force", "density diffusion", "particle shifting",
-                                          "pressure gradient along x", "extrapolated walls", "bonds with dashpots",
-                                          "hinges", "implicit springs", "short-range repulsion"));
+    EXPECT_THAT(models(plan),
+                ElementsAre("equation of state", "continuity", "pressure force", "velocity gradient", "pressure level",
+                            "viscous force", "density diffusion", "particle shifting", "pressure gradient along x",
+                            "extrapolated walls", "bonds with dashpots", "hinges", "implicit springs",
+                            "short-range repulsion", "contact of surfaces"));
     for (const ModelUse& use : plan.models) {
         EXPECT_FALSE(use.source.empty()) << use.model;
         EXPECT_FALSE(use.reason.empty()) << use.model;
