@@ -152,13 +152,6 @@ void SurfaceContact::find_stiffness(const Scene& scene, const SpringBodies& bodi
     }
 }
 
-std::vector<std::pair<std::string, double>> SurfaceContact::stiffness_of_parts() const {
-    std::vector<std::pair<std::string, double>> of_parts;
-    for (std::size_t part = 0; part < stiffness_.size(); ++part)
-        if (std::isfinite(stiffness_[part])) of_parts.emplace_back(space_.parts[part].name, stiffness_[part]);
-    return of_parts;
-}
-
 double SurfaceContact::step_limit() const {
     double fastest = 0;
     for (std::size_t a = 0; a < rate_.size(); ++a) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,7 +53,13 @@ class SurfaceContact {
     [[nodiscard]] double step_limit() const;
 
     /// Of elastic parts, with their names [Pa/m].
-    [[nodiscard]] std::vector<std::pair<std::string, double>> stiffness_of_parts() const;
+    [[nodiscard]] std::vector<std::pair<std::string, double>> stiffness_of_parts() const {
+        std::vector<std::pair<std::string, double>> of_parts;
+        for (std::size_t part = 0; part < stiffness_.size(); ++part)
+            if (stiffness_[part] < std::numeric_limits<double>::infinity())
+                of_parts.emplace_back(space_.parts[part].name, stiffness_[part]);
+        return of_parts;
+    }
 
     /// As of the last kick.
     struct State {
