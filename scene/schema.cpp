@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "scene/driving_keys.hpp"
 #include "scene/contact_keys.hpp"
+#include "scene/driving_keys.hpp"
 #include "scene/join_keys.hpp"
 #include "scene/measure_keys.hpp"
 #include "scene/reference_keys.hpp"

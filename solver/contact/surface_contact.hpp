@@ -18,15 +18,15 @@
 namespace dmp::solver {
 
 /// Contact of elastic bodies with each other, with walls and with themselves, as their drawn surfaces. Each surface is
-/// sampled at Gauss points q, of weight w; each meets the nearest point y of another surface that faces it, whose normal
-/// is n:
+/// sampled at Gauss points q, of weight w; each meets the nearest point y of another surface that faces it, whose
+/// normal is n:
 ///   g = (x_q - y) . n,   U = SUM a w k g^2 / 2   (g < 0),   a = W(y) / (W(q) + W(y))
-/// Both surfaces are sampled, hence the share a, a half but near corners that stick out, where the samples of the corner
-/// have more (ContactSurfaces::weight): samples that pass a corner are not lost at once. As x_q - y is along n, the
-/// forces -+ (a w k g n + da/ds w k g^2 / 2 tau), given to what carries x_q and y, are the gradient of U (the second
-/// term to lowest order in g), and opposite: energy and momentum are kept. What acts along the surfaces (the second
-/// term, friction) acts at x_q and y, which are g apart; its moment is taken by a couple on a piece.
-/// (Puso & Laursen 2004; Fischer & Wriggers 2005; docs/elastic.md)
+/// Both surfaces are sampled, hence the share a, a half but near corners that stick out, where the samples of the
+/// corner have more (ContactSurfaces::weight): samples that pass a corner are not lost at once. As x_q - y is along n,
+/// the forces -+ (a w k g n + da/ds w k g^2 / 2 tau), given to what carries x_q and y, are the gradient of U (the
+/// second term to lowest order in g), and opposite: energy and momentum are kept. What acts along the surfaces (the
+/// second term, friction) acts at x_q and y, which are g apart; its moment is taken by a couple on a piece. (Puso &
+/// Laursen 2004; Fischer & Wriggers 2005; docs/elastic.md)
 ///
 /// Every rank holds all bodies and does the same.
 class SurfaceContact {

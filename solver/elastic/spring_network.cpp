@@ -47,8 +47,8 @@ std::unique_ptr<SpringBody> SpringBody::make(const BodyParts& parts, const std::
 
 template <int D>
 SpringNetwork<D>::SpringNetwork(const ParticleSet& set, const Part& part, int body, const SpringContact& contact)
-    : SpringNetwork(initial_body(set, InitialSprings(set, part), body, contact.of_itself() ? contact.range : 0), part.name,
-                    set.spacing, contact) {}
+    : SpringNetwork(initial_body(set, InitialSprings(set, part), body, contact.of_itself() ? contact.range : 0),
+                    part.name, set.spacing, contact) {}
 
 template <int D>
 SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name, double spacing,

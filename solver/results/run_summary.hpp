@@ -114,7 +114,7 @@ struct RunSummary {
     double largest_speed = 0;  ///< that the fluid reached [m/s]
     /// From one particle to the next, of itself (VelocityChange) [-]; nothing with the plain scheme.
     std::optional<double> velocity_change;
-    std::vector<LargestStrain> strains;  ///< of elastic solids
+    std::vector<LargestStrain> strains;     ///< of elastic solids
     std::optional<ContactSummary> contact;  ///< of surfaces; none if nothing touched
     /// Where the flow that was reached is not the one that was planned.
     std::vector<Warning> warnings;
