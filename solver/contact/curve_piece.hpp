@@ -55,8 +55,6 @@ struct CurvePiece {
         }
         return t;
     }
-    /// Length, by four Gauss points [m].
-    [[nodiscard]] double length() const;
 };
 
 /// Gauss points of a piece: exact for polynomials of degree 7.
@@ -64,11 +62,5 @@ inline constexpr std::array<double, 4> gauss_points{0.069431844202973712, 0.3300
                                                     0.93056815579702629};
 inline constexpr std::array<double, 4> gauss_weights{0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
                                                      0.17392742256872693};
-
-inline double CurvePiece::length() const {
-    double length = 0;
-    for (std::size_t k = 0; k < gauss_points.size(); ++k) length += gauss_weights[k] * tangent(gauss_points[k]).norm();
-    return length;
-}
 
 }  // namespace dmp::solver

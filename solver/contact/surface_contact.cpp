@@ -301,8 +301,6 @@ void SurfaceContact::add_couple(int piece, const Vec& arm, const Vec& force) {
 void SurfaceContact::add_forces(const WallMotion& walls, double t, double dt) {
     std::ranges::fill(force_, Vec::Zero());
     std::ranges::fill(on_walls_, Vec::Zero());
-    state_ = {};
-    std::array<int, 2> deepest_parts{};
     const bool needs_velocity = law_.friction > 0 || law_.damping > 0;
     const auto push = [&](int piece, double at, const Vec& force) {
         if (surfaces_.pieces()[number(piece)].is_wall) on_walls_[number(piece)] += force;
@@ -347,16 +345,9 @@ void SurfaceContact::add_forces(const WallMotion& walls, double t, double dt) {
         push(piece, at, force);
         push(touch.piece, touch.t, -force);
 
-        state_.energy += area * SurfaceContactLaw::energy(stiffness, touch.gap);
-        state_.area += area;
-        if (-touch.gap > state_.deepest) {
-            state_.deepest = -touch.gap;
-            deepest_parts = {own.part, surfaces_.pieces()[number(touch.piece)].part};
-            state_.place = touch.from;
-        }
+        if (-touch.gap > deepest_of_all_.depth)
+            deepest_of_all_ = {-touch.gap, t, touch.from, {own.part, surfaces_.pieces()[number(touch.piece)].part}};
     }
-    if (state_.deepest <= deepest_of_all_.depth) return;
-    deepest_of_all_ = {state_.deepest, t, state_.place, deepest_parts};
 }
 
 int SurfaceContact::parts_of_step(const SpringBodies& bodies, const WallMotion& walls, double t, double dt) {

@@ -61,14 +61,6 @@ class SurfaceContact {
         return of_parts;
     }
 
-    /// As of the last kick.
-    struct State {
-        double energy = 0;        ///< [J]
-        double area = 0;          ///< that touches, of one side [m^2]
-        double deepest = 0;       ///< [m]
-        Vec place = Vec::Zero();  ///< of the deepest [m]
-    };
-    [[nodiscard]] const State& state() const { return state_; }
     /// Over the run so far.
     struct Deepest {
         double depth = 0;         ///< [m]
@@ -136,7 +128,6 @@ class SurfaceContact {
     std::vector<Start> start_;           ///< likewise
     std::vector<Vec> on_walls_;          ///< by piece [N]
     std::vector<Vec> impulse_on_walls_;  ///< by piece, in this step [N s]
-    State state_;
     Deepest deepest_of_all_;
 };
 
