@@ -24,8 +24,12 @@ struct SurfaceContactLaw {
     /// @param mass_per_area m [kg/m^2]
     [[nodiscard]] double pressure(double stiffness, double gap, double gap_rate, double mass_per_area) const {
         if (!(gap < 0)) return 0;
-        const double dashpot = damping > 0 ? 2 * damping * std::sqrt(stiffness * mass_per_area) : 0;
-        return std::max(0.0, -stiffness * gap - dashpot * gap_rate);
+        return std::max(0.0, -stiffness * gap - dashpot(stiffness, mass_per_area) * gap_rate);
+    }
+
+    /// c [Pa s/m]
+    [[nodiscard]] double dashpot(double stiffness, double mass_per_area) const {
+        return damping > 0 ? 2 * damping * std::sqrt(stiffness * mass_per_area) : 0;
     }
 
     /// The traction by friction [Pa]; cuts the slip back to what it holds.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,17 @@
 #include "solver/uses.hpp"
 
 namespace dmp::solver {
+
+/// How the forces of contact act in a step.
+enum class ContactStepping {
+    at_start,  ///< those of the places at its start; the stiffness sets a limit to the step
+    in_parts,  ///< likewise, and steps in which something may touch are taken in parts: dry scenes
+    at_end,    ///< those of the places at its end, implicitly: any stiffness, also in liquid
+};
+
+struct ContactImpulses {
+    Vec of_supports, on_walls;  ///< [N s]
+};
 
 /// Contact of elastic bodies with each other, with walls and with themselves, as their drawn surfaces. Each surface is
 /// sampled at Gauss points q, of weight w; each meets the nearest point y of another surface that faces it, whose
@@ -37,16 +49,24 @@ class SurfaceContact {
 
     /// Bodies have been cut or joined.
     void find_bodies(const SpringBodies& bodies);
-    /// Whether steps in which something may touch are taken in parts where the stiffness needs that; else it sets a
-    /// limit to the step.
-    [[nodiscard]] bool takes_parts() const { return in_parts_; }
+    [[nodiscard]] ContactStepping stepping() const { return stepping_; }
     /// In how many parts a step has to be taken, each with a kick: one where nothing will touch in it.
     [[nodiscard]] int parts_of_step(const SpringBodies& bodies, const WallMotion& walls, double t, double dt);
-    struct Impulses {
-        Vec of_supports, on_walls;  ///< [N s]
-    };
     /// Kicks the bodies by the forces of contact at their present places, over dt.
-    Impulses kick(SpringBodies& bodies, const WallMotion& walls, double t, double dt);
+    ContactImpulses kick(SpringBodies& bodies, const WallMotion& walls, double t, double dt);
+
+    /// Implicit contact: whether anything may touch in this step; what follows is of such a step.
+    [[nodiscard]] bool may_touch(const SpringBodies& bodies, const WallMotion& walls, double t, double dt);
+    /// By body: whether it may.
+    [[nodiscard]] const std::vector<bool>& touched_bodies() const { return touched_bodies_; }
+    /// Adds the forces at the end of the step on free unknowns, if their mean velocities in it are w.
+    void add_forces_at_end(std::span<const Vec> w, std::span<Vec> force);
+    /// Adds minus the derivative of those forces with respect to w, near the last w, times values. Friction that slides
+    /// is left out.
+    void add_stiffness_times(std::span<const Vec> values, std::span<Vec> image) const;
+    /// Kicks the bodies by the forces of the last w.
+    ContactImpulses kick_at_end(SpringBodies& bodies);
+
     /// Adds the mean forces on walls since the last time, over dt, to those of the store.
     void show_on_walls(ParticleStore& particles, double dt);
     /// Largest stable step, or part of one, where all surfaces touch [s].
@@ -74,6 +94,8 @@ class SurfaceContact {
 
   private:
     static constexpr int no_solid = -1;
+    static constexpr std::size_t points_of_piece = ContactSurfaces::points_of_piece;
+    static std::size_t index_of(int number) { return static_cast<std::size_t>(number); }
 
     struct Touch {
         bool is_one = false;
@@ -83,6 +105,8 @@ class SurfaceContact {
         Vec from = Vec::Zero(), at = Vec::Zero(), normal = Vec::Zero();
         double gap = 0;
         double share = 0, share_slope = 0;  ///< a [-], da/ds [1/m]
+        /// By how much the forces at the end of the step fall with the velocity along the normal, the tangent [N s/m].
+        double normal_slope = 0, tangent_slope = 0;
     };
     /// What a point of a surface remembers.
     struct Memory {
@@ -99,21 +123,29 @@ class SurfaceContact {
     [[nodiscard]] double rate_of_full_touch(int part) const;
     void find_start(const Scene& scene, const SpringBodies& bodies);
     void read_bodies(const SpringBodies& bodies);
+    void place(const SpringBodies& bodies, const WallMotion& walls, double t, double dt);
+    [[nodiscard]] double farthest_way() const;
     void archive_deepest(Archive& file);
-    void find_touches();
-    [[nodiscard]] Touch touch_of(int piece, std::size_t point) const;
+    /// Those nearer than `margin` [m].
+    void find_touches(double margin);
+    [[nodiscard]] Touch touch_of(int piece, std::size_t point, double margin) const;
     [[nodiscard]] double gap_at(const Vec& from, int piece, double t, const Vec& shift, Vec& normal) const;
     [[nodiscard]] double stiffness_of(int piece, int other) const;
-    void add_forces(const WallMotion& walls, double t, double dt);
+    /// Forces of the present touches, at gaps of `ahead` from now [s]; `remembers`: they are those that act.
+    void find_forces(double ahead, bool remembers);
+    void add_force(std::size_t point, double ahead, bool remembers);
+    void remember(std::size_t point, double gap, const Vec& slip);
     void add_couple(int piece, const Vec& arm, const Vec& force);
-    [[nodiscard]] Vec velocity_at(int piece, double t, const WallMotion& walls, double time) const;
+    void push(int piece, double t, const Vec& force);
+    [[nodiscard]] Vec velocity_at(int piece, double t) const;
+    ContactImpulses kick_bodies(SpringBodies& bodies);
 
     const ParticleSpace space_;
     int threads_;
     SurfaceContactLaw law_;
     double given_stiffness_;  ///< 0: none
     double at_walls_;         ///< how much stiffer an automatic contact is at walls, which do not give way
-    bool in_parts_;           ///< whether steps may be taken in parts
+    ContactStepping stepping_;
     double deepest_;          ///< how far behind a surface it looks [m]
     ContactSurfaces surfaces_;
     PiecePairs pairs_;
@@ -123,6 +155,9 @@ class SurfaceContact {
 
     std::vector<Vec> position_, velocity_, force_;  ///< by unknown
     std::vector<double> inverse_mass_;
+    std::vector<bool> touched_bodies_;
+    const WallMotion* walls_ = nullptr;  ///< of the present step, with its time and length [s]
+    double t_ = 0, dt_ = 0;
     std::vector<Touch> touches_;         ///< by point of all pieces
     std::vector<Memory> memory_;         ///< likewise
     std::vector<Start> start_;           ///< likewise

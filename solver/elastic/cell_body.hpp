@@ -52,6 +52,7 @@ class CellBody final : public SpringBody {
     void prepare_in_fluid(std::span<const Vec> w, std::span<const Vec> drag, double dt) override {
         network_.prepare_in_fluid(w, drag, dt);
     }
+    void prepare_alone(std::span<const Vec> w, double dt, bool anew) override { network_.prepare_alone(w, dt, anew); }
     void multiply_in_fluid(std::span<Vec> values) const override { network_.multiply_in_fluid(values); }
     void solve_in_fluid(std::span<Vec> values) const override { network_.solve_in_fluid(values); }
     void expect(std::span<const Vec> w) override { network_.expect(w); }

@@ -112,6 +112,8 @@ class SpringBody {
     /// Computes minus the derivative of the balance with respect to w, near this w (Gauss-Newton form), and
     /// factorises its sum with `drag`, the drag of the nodes in the fluid by axis [kg/s].
     virtual void prepare_in_fluid(std::span<const Vec> w, std::span<const Vec> drag, double dt) = 0;
+    /// Likewise without a fluid. Takes the factors of the body's own steps if they are for this dt and not `anew`.
+    virtual void prepare_alone(std::span<const Vec> w, double dt, bool anew) = 0;
     /// Multiplies the values by this derivative, in place; 0 for fixed nodes.
     virtual void multiply_in_fluid(std::span<Vec> values) const = 0;
     /// Solves with the factors, in place; 0 for fixed nodes.

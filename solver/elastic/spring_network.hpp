@@ -80,6 +80,7 @@ class SpringNetwork final : public SpringBody {
     Vec kick(std::span<const Vec> on_unknowns, double dt) override;
     [[nodiscard]] std::vector<Vec> balance(std::span<const Vec> w, double dt) const override;
     void prepare_in_fluid(std::span<const Vec> w, std::span<const Vec> drag, double dt) override;
+    void prepare_alone(std::span<const Vec> w, double dt, bool anew) override;
     void multiply_in_fluid(std::span<Vec> values) const override;
     void solve_in_fluid(std::span<Vec> values) const override;
     void expect(std::span<const Vec> w) override;
@@ -188,7 +189,8 @@ class SpringNetwork final : public SpringBody {
     mutable std::optional<Point> crushed_at_;
     Vectors expected_;  ///< mean velocities of the next step, if known
     std::unique_ptr<ImplicitSystem> system_, in_fluid_;
-    double in_fluid_step_ = 0;                      ///< for which in_fluid_ was factorised [s]
+    const ImplicitSystem* prepared_ = nullptr;      ///< one of the two
+    double prepared_step_ = 0;                      ///< for which it was factorised [s]
     std::unique_ptr<SelfContact<D>> self_contact_;  ///< null if contact is off
 };
 

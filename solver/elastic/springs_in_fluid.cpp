@@ -39,17 +39,31 @@ void SpringNetwork<D>::prepare_in_fluid(std::span<const Vec> w, std::span<const 
         drag_in_step[n] *= dt;
     }
     in_fluid_->factorise(*this, middle, dt, drag_in_step);
-    in_fluid_step_ = dt;
+    prepared_ = in_fluid_.get();
+    prepared_step_ = dt;
+}
+
+template <int D>
+void SpringNetwork<D>::prepare_alone(std::span<const Vec> w, double dt, bool anew) {
+    if (!system_) system_ = std::make_unique<ImplicitSystem>(*this);
+    if (anew || !system_->fits(dt)) {
+        Vectors middle = position_;
+        for (std::size_t n = 0; n < ids_.size(); ++n)
+            if (!fixed_[n]) middle[n] += (dt / 2) * of_space(w[n]);
+        system_->factorise(*this, middle, dt);
+    }
+    prepared_ = system_.get();
+    prepared_step_ = dt;
 }
 
 template <int D>
 void SpringNetwork<D>::multiply_in_fluid(std::span<Vec> values) const {
-    in_fluid_->multiply(values, 1 / in_fluid_step_);
+    prepared_->multiply(values, 1 / prepared_step_);
 }
 
 template <int D>
 void SpringNetwork<D>::solve_in_fluid(std::span<Vec> values) const {
-    in_fluid_->solve(values, in_fluid_step_);
+    prepared_->solve(values, prepared_step_);
 }
 
 template <int D>

@@ -12,17 +12,18 @@ namespace dmp::solver {
 namespace {
 
 /// A solve begins again from its true residual, as springs are not linear and residuals drift, at most this often; and
-/// after the first few times only while that halves the error.
-constexpr int most_cycles = 30, cycles_to_settle = 3;
+/// after the first few times, in which it becomes known what touches, only while that halves the error.
+constexpr int most_cycles = 30, cycles_to_settle = 3, cycles_to_touch = 12;
 
 }  // namespace
 
 ImplicitViscosity::ImplicitViscosity(const PairSweeps& sweeps, const Ranks& ranks, double tolerance, int threads)
     : sweeps_(sweeps), ranks_(ranks), tolerance_(tolerance), threads_(threads) {}
 
-void ImplicitViscosity::add_forces(ParticleStore& particles, const ClusterList& list, SpringBodies& springs, double dt,
-                                   const std::array<double, 3>& g, const Sweep& sweep) {
-    ViscousSystem system({particles, list, springs, sweeps_, ranks_, sweep, threads_}, dt, g);
+void ImplicitViscosity::add_forces(ParticleStore& particles, const ClusterList& list, SpringBodies& springs,
+                                   SurfaceContact* contact, double dt, const std::array<double, 3>& g,
+                                   const Sweep& sweep) {
+    ViscousSystem system({particles, list, springs, contact, sweeps_, ranks_, sweep, threads_}, dt, g);
     const long most = patience(system.condition(), tolerance_);
     long iterations = 0;
     double error = 0;
@@ -31,7 +32,7 @@ void ImplicitViscosity::add_forces(ParticleStore& particles, const ClusterList& 
         error = system.true_error();
         const double scale = system.velocity_scale();
         if (error <= tolerance_ * scale) break;
-        const bool stuck = cycle > cycles_to_settle && error > 0.5 * before;
+        const bool stuck = cycle > (contact != nullptr ? cycles_to_touch : cycles_to_settle) && error > 0.5 * before;
         if (stuck || cycle == most_cycles || !std::isfinite(error)) give_up(error / scale, iterations);
         // From rest there is no scale yet.
         const double target = scale > 0 ? 0.5 * tolerance_ * scale : 0.01 * error;

@@ -14,6 +14,8 @@
 
 namespace dmp::solver {
 
+class SurfaceContact;
+
 /// The viscous forces of a step cannot be found.
 class UnsolvedViscosity : public DivergenceError {
   public:
@@ -36,10 +38,10 @@ class ImplicitViscosity {
     /// `tolerance`: of the velocities' error dt r / m, root mean square by mass, over that of the velocities.
     ImplicitViscosity(const PairSweeps& sweeps, const Ranks& ranks, double tolerance, int threads);
 
-    /// Adds the viscous forces of the velocities after this step to `force`, which has all others. `g`: body
-    /// acceleration. Throws UnsolvedViscosity.
-    void add_forces(ParticleStore& particles, const ClusterList& list, SpringBodies& springs, double dt,
-                    const std::array<double, 3>& g, const Sweep& sweep);
+    /// Adds the viscous forces of the velocities after this step to `force`, which has all others but those of
+    /// `contact`, null where nothing may touch. `g`: body acceleration. Throws UnsolvedViscosity.
+    void add_forces(ParticleStore& particles, const ClusterList& list, SpringBodies& springs, SurfaceContact* contact,
+                    double dt, const std::array<double, 3>& g, const Sweep& sweep);
 
     void archive(Archive& file);
     [[nodiscard]] const ViscousSolves& solves() const { return solves_; }

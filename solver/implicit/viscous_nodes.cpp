@@ -16,8 +16,8 @@ void ViscousNodes::for_each_body(const Visit& visit) const {
     }
 }
 
-ViscousNodes::ViscousNodes(SpringBodies& springs, const ParticleStore& particles, double dt)
-    : springs_(springs), dt_(dt) {
+ViscousNodes::ViscousNodes(SpringBodies& springs, SurfaceContact* contact, const ParticleStore& particles, double dt)
+    : springs_(springs), contact_(contact), dt_(dt) {
     if (springs_.empty()) return;
     other_force_ = on_unknowns(particles, Field::force);
     const Vectors of_particles = springs_.collected(particles, Field::velocity);
@@ -66,6 +66,7 @@ void ViscousNodes::find_residual(const ParticleStore& particles) {
         for (std::size_t n = 0; n < own.size(); ++n)
             residual_[part.first + n] = own[n] + other_force_[part.first + n] + viscous[part.first + n];
     });
+    if (contact_ != nullptr) contact_->add_forces_at_end(velocity_, residual_);
     preconditioned_ = residual_;
     for_each_body([&](const SpringBody& body, Part part, Part) { body.solve_in_fluid(part.of(preconditioned_)); });
 }
@@ -76,6 +77,7 @@ void ViscousNodes::find_image(const ParticleStore& particles) {
     image_ = direction_;
     for_each_body([&](const SpringBody& body, Part part, Part) { body.multiply_in_fluid(part.of(image_)); });
     for (std::size_t n = 0; n < image_.size(); ++n) image_[n] -= viscous[n];
+    if (contact_ != nullptr) contact_->add_stiffness_times(direction_, image_);
 }
 
 void ViscousNodes::step(double alpha) {

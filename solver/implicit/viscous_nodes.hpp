@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/contact/surface_contact.hpp"
 #include "solver/elastic/spring_bodies.hpp"
 #include "solver/parallel/exact_sum.hpp"
 
@@ -14,13 +15,14 @@ namespace dmp::solver {
 /// that step, are in its balance:
 ///     m / dt (w - v) - F_springs(x + dt/2 w, w) / 2 = F_others + F_viscous(w)
 /// as in the body's own implicit midpoint step, whose solution w is. Without them a light body in a thick liquid would
-/// first be stopped by it, and then spring as if nothing held it.
+/// first be stopped by it, and then spring as if nothing held it. Where bodies may touch, the forces of contact at the
+/// end of the step are in the balance, too.
 /// Every rank holds all nodes. The preconditioner solves each body's own equations, its diagonal drag in the liquid
 /// included, so that stiff springs cost no iterations.
 class ViscousNodes {
   public:
-    /// From the present velocities of nodes, and forces of fluid and contact on them.
-    ViscousNodes(SpringBodies& springs, const ParticleStore& particles, double dt);
+    /// From the present velocities of nodes, and the other forces on them. `contact`: null where nothing may touch.
+    ViscousNodes(SpringBodies& springs, SurfaceContact* contact, const ParticleStore& particles, double dt);
 
     /// Takes the drag in the liquid from viscous_diagonal.
     void prepare(const ParticleStore& particles);
@@ -63,6 +65,7 @@ class ViscousNodes {
     [[nodiscard]] Vectors on_unknowns(const ParticleStore& particles, Field field) const;
 
     SpringBodies& springs_;
+    SurfaceContact* contact_;
     double dt_;
     Vectors other_force_, velocity_, residual_, preconditioned_, direction_, image_;
 };

@@ -19,6 +19,7 @@ class ViscousSystem {
         ParticleStore& particles;
         const ClusterList& list;
         SpringBodies& springs;
+        SurfaceContact* contact;  ///< null where nothing may touch
         const PairSweeps& sweeps;
         const Ranks& ranks;
         const std::function<void(const FieldList&, const std::function<void(ClusterChoice)>&)>& sweep;

@@ -60,7 +60,7 @@ Plan FluidRun::plan() const {
 }
 
 void FluidRun::add_limits_of_elastic_solids(Plan& plan) const {
-    if (fluid_.surface_contact() != nullptr && fluid_.surface_contact()->takes_parts() &&
+    if (fluid_.surface_contact() != nullptr && fluid_.surface_contact()->stepping() == ContactStepping::in_parts &&
         std::isfinite(fluid_.surface_contact()->step_limit()))
         plan.limits.push_back({"contact of surfaces", fluid_.surface_contact()->step_limit(),
                                "0.8 of 2 / omega where all surfaces touch; not binding, as steps in which they may are "

@@ -78,7 +78,7 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
     if (settings_.surface_contact) {
         fluid_.start_surface_contact(scene_, set,
                                      ruling_limit(fluid_step_limits(scales_, 0, fluid_.body_force().largest(0))).dt);
-        if (!fluid_.surface_contact()->takes_parts())
+        if (fluid_.surface_contact()->stepping() == ContactStepping::at_start)
             scales_.surface_contact_limit = fluid_.surface_contact()->step_limit();
     }
     at_start_ = conserved();

@@ -251,13 +251,6 @@ void FluidStep::sweep(const char* stage, const FieldList& fields, const std::fun
     timer_.timed(stage, [&] { over(at_once ? ClusterChoice::all : ClusterChoice::border); });
 }
 
-void FluidStep::solve_viscous_forces(double t, double dt) {
-    const auto swept = [this](const FieldList& fields, const auto& over) { sweep("viscosity", fields, over); };
-    timer_.timed("viscosity", [&] {
-        viscosity_->add_forces(particles_, neighbours_.list(), springs_, dt, body_force_.uniform(t), swept);
-    });
-}
-
 void FluidStep::sum_densities() {
     if (!settings_.density.by_summation) return;
     sweep("density", {Field::position}, [this](ClusterChoice clusters) {

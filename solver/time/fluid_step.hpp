@@ -25,6 +25,7 @@
 namespace dmp::solver {
 
 class SurfaceContact;
+struct ContactImpulses;
 
 /// The state of the fluid after a step, as the step-size controller and the watch want it.
 struct FluidExtremes {
@@ -133,7 +134,7 @@ class FluidStep {
     void sum_forces(double t, double dt);
     void add_outside_forces(double t, double dt);
     void touch(double t, double dt);
-    void kick_by_contact(double t, double dt);
+    void count_contact(const ContactImpulses& given);
     void solve_viscous_forces(double t, double dt);
     void sum_density_rates(double t, double dt);
     void advance_elastic(double t, double dt);
@@ -157,7 +158,8 @@ class FluidStep {
     SpringBodies springs_;
     WallMotion walls_;
     std::unique_ptr<SurfaceContact> surface_contact_;
-    int contact_parts_ = 1;  ///< of the present step
+    int contact_parts_ = 1;   ///< of the present step
+    bool may_touch_ = false;  ///< in the present step, with implicit contact
     std::optional<SpeciesTransport> species_;
     Driving driving_;
     Neighbours neighbours_;

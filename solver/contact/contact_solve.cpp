@@ -1,0 +1,116 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/contact/contact_solve.hpp"
+
+#include <algorithm>
+
+namespace dmp::solver {
+
+namespace {
+
+/// How far an unknown is from where it should be at the end of the step, at most [spacings].
+constexpr double tolerance = 1e-6;
+/// Newton's iterations: at most, and with one matrix of a body.
+constexpr int most_cycles = 40, cycles_with_one_matrix = 8;
+constexpr long most_iterations = 500;
+
+}  // namespace
+
+ContactSolve::ContactSolve(SpringBodies& bodies, SurfaceContact& contact, const ParticleStore& particles, double dt)
+    : bodies_(bodies), contact_(contact), dt_(dt), spacing_(particles.space().spacing) {
+    const std::vector<Vec> on_particles = bodies.collected(particles, Field::force);
+    std::size_t particle = 0;
+    for (const auto& body : bodies.bodies()) {
+        const auto own = std::span(on_particles).subspan(particle, body->nodes());
+        std::ranges::copy(body->on_unknowns(own), std::back_inserter(other_force_));
+        for (std::size_t n = 0; n < body->unknowns(); ++n) velocity_.push_back(body->unknown_velocity(n));
+        particle += body->nodes();
+    }
+    residual_ = preconditioned_ = direction_ = image_ = std::vector<Vec>(velocity_.size(), Vec::Zero());
+}
+
+/// Calls visit(body, its first unknown, how many it has) for those that may touch.
+template <class Visit>
+void ContactSolve::for_each_body(const Visit& visit) const {
+    std::size_t first = 0;
+    for (std::size_t b = 0; b < bodies_.bodies().size(); ++b) {
+        SpringBody& body = *bodies_.bodies()[b];
+        if (contact_.touched_bodies()[b]) visit(body, first, body.unknowns());
+        first += body.unknowns();
+    }
+}
+
+long ContactSolve::solve() {
+    constexpr double of_cycle = 0.05;  // each cycle solves its linear equations to this part of the error
+    for_each_body([&](SpringBody& body, std::size_t first, std::size_t count) {
+        body.prepare_alone(std::span(velocity_).subspan(first, count), dt_, false);
+    });
+    long iterations = 0;
+    for (int cycle = 0;; ++cycle) {
+        const double error = find_residual();
+        if (!(error > tolerance) || cycle == most_cycles) return iterations;
+        if (cycle > 0 && cycle % cycles_with_one_matrix == 0)
+            for_each_body([&](SpringBody& body, std::size_t first, std::size_t count) {
+                body.prepare_alone(std::span(velocity_).subspan(first, count), dt_, true);
+            });
+        iterations += conjugate_gradients(*this, std::max(0.5 * tolerance, of_cycle * error), most_iterations).iterations;
+    }
+}
+
+double ContactSolve::find_residual() {
+    for_each_body([&](SpringBody& body, std::size_t first, std::size_t count) {
+        const std::vector<Vec> own = body.balance(std::span(velocity_).subspan(first, count), dt_);
+        for (std::size_t n = 0; n < count; ++n) residual_[first + n] = own[n] + other_force_[first + n];
+    });
+    contact_.add_forces_at_end(velocity_, residual_);
+    precondition();
+    return residual().error;
+}
+
+void ContactSolve::precondition() {
+    preconditioned_ = residual_;
+    for_each_body([&](SpringBody& body, std::size_t first, std::size_t count) {
+        body.solve_in_fluid(std::span(preconditioned_).subspan(first, count));
+    });
+}
+
+Residual ContactSolve::residual() const {
+    double weighted = 0, largest = 0;
+    for (std::size_t n = 0; n < residual_.size(); ++n) {
+        weighted += residual_[n].dot(preconditioned_[n]);
+        const double correction = preconditioned_[n].cwiseAbs().maxCoeff();
+        if (!(correction <= largest)) largest = correction;  // NaN too
+    }
+    return {weighted, dt_ * largest / spacing_};
+}
+
+Residual ContactSolve::start() {
+    turn(0);
+    return residual();
+}
+
+double ContactSolve::curvature() {
+    image_ = direction_;
+    for_each_body([&](SpringBody& body, std::size_t first, std::size_t count) {
+        body.multiply_in_fluid(std::span(image_).subspan(first, count));
+    });
+    contact_.add_stiffness_times(direction_, image_);
+    double product = 0;
+    for (std::size_t n = 0; n < direction_.size(); ++n) product += direction_[n].dot(image_[n]);
+    return product;
+}
+
+Residual ContactSolve::step(double alpha) {
+    for (std::size_t n = 0; n < velocity_.size(); ++n) {
+        velocity_[n] += alpha * direction_[n];
+        residual_[n] -= alpha * image_[n];
+    }
+    precondition();
+    return residual();
+}
+
+void ContactSolve::turn(double beta) {
+    for (std::size_t n = 0; n < direction_.size(); ++n)
+        direction_[n] = beta == 0 ? preconditioned_[n] : Vec(preconditioned_[n] + beta * direction_[n]);
+}
+
+}  // namespace dmp::solver

@@ -1,0 +1,45 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solver/contact/surface_contact.hpp"
+#include "solver/elastic/spring_bodies.hpp"
+#include "solver/implicit/conjugate_gradients.hpp"
+
+namespace dmp::solver {
+
+/// The implicit contact of one step: the mean velocities w of bodies' unknowns that are in balance with the forces of
+/// contact at the end of the step,
+///     m / dt (w - v) - F_body(x + dt/2 w, w) / 2 = F_others + F_contact(x + dt w)   [N]
+/// By Newton's method with conjugate gradients, preconditioned with the factors of the bodies' own implicit steps. Only
+/// the forces of contact are taken from it: whatever the tolerance, they are opposite, and bodies take their own step
+/// under them. Every rank holds all bodies and does the same. (ViscousSystem has contact among its equations.)
+class ContactSolve {
+  public:
+    /// Of bodies that may touch in this step, under the forces that the store has. All ranks must call it.
+    ContactSolve(SpringBodies& bodies, SurfaceContact& contact, const ParticleStore& particles, double dt);
+
+    /// Leaves the forces of contact with `contact`. Returns how many iterations it took.
+    long solve();
+
+    Residual start();
+    double curvature();
+    Residual step(double alpha);
+    void turn(double beta);
+
+  private:
+    template <class Visit>
+    void for_each_body(const Visit& visit) const;
+    double find_residual();
+    void precondition();
+    [[nodiscard]] Residual residual() const;
+
+    SpringBodies& bodies_;
+    SurfaceContact& contact_;
+    double dt_, spacing_;
+    std::vector<Vec> other_force_, velocity_, residual_, preconditioned_, direction_, image_;  ///< by unknown
+};
+
+}  // namespace dmp::solver
