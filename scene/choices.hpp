@@ -70,8 +70,9 @@ enum class MeasureKind {
     uptake,
     displacement,
     body,
-    field,       // of the fluid, in a region
-    solid_field  // of an elastic solid
+    field,        // of the fluid, in a region
+    solid_field,  // of an elastic solid
+    contact
 };
 enum class FluidField {
     velocity,
@@ -158,7 +159,7 @@ inline constexpr auto enum_names<scene::MeasureKind> = std::to_array<std::string
     {"flux",     "gap",    "largest_speed",      "density",  "kinetic_energy", "probe",     "line",
      "mode",     "amount", "mean_concentration", "profile",  "spread",         "wall_flux", "peclet",
      "velocity", "spin",   "wall_force",         "detached", "aggregate",      "uptake",    "displacement",
-     "body",     "field",  "solid_field"});
+     "body",     "field",  "solid_field",        "contact"});
 template <>
 inline constexpr auto enum_names<scene::SolidifyRule> = std::to_array<std::string_view>({"per_pair", "per_candidate",
                                                                                          "mutually_closest"});

@@ -93,6 +93,7 @@ struct Measure {
     Value<std::array<int, 3>> waves;                           ///< mode: number of waves in the period along each axis
     Value<std::string> part;  ///< gap: elastic solid; wall_flux: rigid or elastic part; uptake: what takes up, empty:
                               ///< all; velocity, spin, detached: spheres; aggregate: [[solidify]] or elastic solid
+    Value<std::string> against;  ///< contact: elastic or rigid part that `part` touches; empty: all
     Value<GapBetween> between = GapBetween::surfaces;  ///< gap: what of the pieces
     Value<std::string> species;                        ///< measures of species: its name; empty: the only one
     Value<Axis> axis = Axis::x;                        ///< profile, spread: along this axis

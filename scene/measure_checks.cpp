@@ -121,6 +121,19 @@ void check_solid_field(const Scene& scene, const Measure& measure) {
     unlisted_value(*measure.solid_field);
 }
 
+void check_contact(const Scene& scene, const Measure& measure) {
+    if (measure.against->empty()) return;
+    std::vector<std::string> solids;
+    for (const Part& part : scene.parts)
+        if (*part.kind == PartKind::elastic || *part.kind == PartKind::rigid) solids.push_back(part.name);
+    if (std::ranges::find(solids, *measure.against) != solids.end()) return;
+    const auto nearest = nearest_name(*measure.against, solids);
+    throw InputError(
+        measure.against.location,
+        "measure '" + *measure.name + "': the scene has no elastic or rigid part '" + *measure.against + "'",
+        nearest.empty() ? "its solids are " + quoted_list(solids) : "did you mean '" + nearest + "'?");
+}
+
 void check_measure(const Scene& scene, const Measure& measure) {
     for (const auto* point : {&measure.from, &measure.to, &measure.point}) {
         if (scene.dimension == 2) need_plane_point(*point);
@@ -133,6 +146,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
     if (*measure.kind == MeasureKind::mode) check_waves(scene, measure);
     if (*measure.kind == MeasureKind::field) check_field(scene, measure);
     if (*measure.kind == MeasureKind::solid_field) check_solid_field(scene, measure);
+    if (*measure.kind == MeasureKind::contact) check_contact(scene, measure);
     check_sphere_measure(scene, measure);
     if (*measure.kind == MeasureKind::aggregate) need_solid(scene, measure.part, "measure", *measure.name);
     if (!is_of_elastic_part(measure.kind)) return;

@@ -195,6 +195,12 @@ std::vector<MeasureColumn> measure_columns(const Scene& scene, const Measure& me
             return mean_and_extremes(scene, name, fluid_field_unit(scene, measure));
         case MeasureKind::solid_field:
             return mean_and_extremes(scene, name, unit_of(*measure.solid_field));
+        case MeasureKind::contact:
+            for (const std::size_t c : probed_components(3, *scene.dimension))
+                columns.push_back({name + "_force_" + std::string(vector_components.at(c)), "N"});
+            columns.push_back({name + "_area", "m^2"});
+            columns.push_back({name + "_pressure", "Pa"});
+            return columns;
         case MeasureKind::velocity:
             return three(name, "m/s");
         case MeasureKind::spin:

@@ -71,7 +71,7 @@ std::vector<Key<Measure>> measure_keys() {
          "kinetic energy, field at a probe, along a line, its Fourier mode, or its mean and extremes in a region; of a species "
          "its amount, mean concentration, profile, spread, flux into a wall, uptake, Peclet number; of spheres their velocity, spin, force on the walls, number "
          "detached from a sphere; size, pieces and bonds of an aggregate; displacement of an elastic solid; its place, speed, angle, "
-         "length and stretches as a body; mean and extremes of its fields."},
+         "length and stretches as a body; mean and extremes of its fields; force, area and pressure of its contact."},
         {"from", lines, &Measure::from, point(), required, "Start of the line."},
         {"to", lines, &Measure::to, point(), required, "End of the line."},
         {"points", line, &Measure::points, integer(Range{2, 1000, false, {}}), "20",
@@ -127,6 +127,11 @@ std::vector<Key<Measure>> measure_keys() {
          "Elastic solid or [[solidify]] whose centre of mass, velocity, angle, length, and least and largest stretch are measured, "
          "as of one body (docs/results.md)."},
         {"part", solid_field, &Measure::part, name(), required, "Elastic solid whose field is measured."},
+        {"part", {"contact"}, &Measure::part, name(), required,
+         "Elastic solid whose contact is measured, where surfaces touch (contact.between). The columns are NAME_force_x and "
+         "NAME_force_y, on this solid, NAME_area, in which it touches, and NAME_pressure, the largest there; 1 m deep."},
+        {"against", {"contact"}, &Measure::against, name(), not_given,
+         "The elastic or rigid part that it touches, which may be the same one; all by default."},
         {"point", displacement, &Measure::point, point(), not_given,
          "Initial position of the particle whose displacement is measured: the nearest one is taken."},
     };

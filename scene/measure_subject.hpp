@@ -33,6 +33,7 @@ constexpr MeasureSubject subject_of(MeasureKind kind) {
         case MeasureKind::displacement:
         case MeasureKind::body:
         case MeasureKind::solid_field:
+        case MeasureKind::contact:
             return MeasureSubject::solids;
         case MeasureKind::amount:
         case MeasureKind::mean_concentration:
@@ -60,7 +61,7 @@ constexpr bool reads_a_field(MeasureKind kind) {
 /// Whether a measure is of an elastic part alone.
 constexpr bool is_of_elastic_part(MeasureKind kind) {
     return kind == MeasureKind::gap || kind == MeasureKind::displacement || kind == MeasureKind::body ||
-           kind == MeasureKind::solid_field;
+           kind == MeasureKind::solid_field || kind == MeasureKind::contact;
 }
 
 /// Whether a measure is of a species. A probe of concentrations is of the fluid.

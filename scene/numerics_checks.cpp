@@ -136,7 +136,7 @@ ContactBetween chosen_contact(const Scene& scene) {
     unlisted_value(*scene.contact.between);
 }
 
-/// Friction, damping and stiffness are of surfaces.
+/// Friction, damping, stiffness and measures of contact are of surfaces.
 void need_surfaces_for_what_they_have(const Scene& scene) {
     const auto& contact = scene.contact;
     if (chosen_contact(scene) == ContactBetween::surfaces) {
@@ -157,6 +157,12 @@ void need_surfaces_for_what_they_have(const Scene& scene) {
                              "leave it out");
         return;
     }
+    for (const Measure& measure : scene.measures)
+        if (*measure.kind == MeasureKind::contact)
+            throw InputError(
+                measure.kind.location,
+                "measure '" + *measure.name + "' is of contact between surfaces, and here particles repel each other",
+                "leave it out; surfaces touch in 2-D, without [[solidify]] and planes of symmetry");
     const auto refuse = [](const Value<double>& value, const std::string& key) {
         if (value.given() && value > 0)
             throw InputError(value.location, "contact." + key + " is of surfaces, and here particles repel each other",

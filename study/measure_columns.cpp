@@ -40,6 +40,7 @@ MeasureColumns columns_of(MeasureKind kind) {
         case MeasureKind::mode:
         case MeasureKind::profile:
         case MeasureKind::aggregate:
+        case MeasureKind::contact:
             return {several, ""};
         case MeasureKind::detached:
             return {depends, "1"};

@@ -7,9 +7,18 @@
 
 namespace dmp::solver {
 
+namespace {
+
+/// In a midpoint step, forces give half of their impulse to its mean velocity (SpringBody::balance).
+constexpr double of_balance = 0.5;
+
+}  // namespace
+
 bool SurfaceContact::may_touch(const SpringBodies& bodies, const WallMotion& walls, double t, double dt) {
     place(bodies, walls, t, dt);
     find_touches(std::min(farthest_way(), deepest_));
+    for (std::size_t point = 0; point < touches_.size(); ++point)
+        if (touches_[point].gap > 0 && touches_[point].is_one) touches_[point].is_one = meets_soon(point);
     std::vector<bool> touched(position_.size());
     bool any = false;
     for (std::size_t point = 0; point < touches_.size(); ++point) {
@@ -28,11 +37,20 @@ bool SurfaceContact::may_touch(const SpringBodies& bodies, const WallMotion& wal
     return any;
 }
 
+/// Whether a point in front of a surface may meet it in this step, if neither is more than twice as fast there as now.
+bool SurfaceContact::meets_soon(std::size_t point) const {
+    const Touch& touch = touches_[point];
+    const int piece = static_cast<int>(point / points_of_piece);
+    const double speed =
+        velocity_at(piece, gauss_points[point % points_of_piece]).norm() + velocity_at(touch.piece, touch.t).norm();
+    return touch.gap < 2 * speed * dt_;
+}
+
 void SurfaceContact::add_forces_at_end(std::span<const Vec> w, std::span<Vec> force) {
     std::ranges::copy(w, velocity_.begin());
     find_forces(dt_, false);
     for (std::size_t n = 0; n < force_.size(); ++n)
-        if (inverse_mass_[n] > 0) force[n] += force_[n];
+        if (inverse_mass_[n] > 0) force[n] += of_balance * force_[n];
 }
 
 void SurfaceContact::add_stiffness_times(std::span<const Vec> values, std::span<Vec> image) const {
@@ -42,15 +60,15 @@ void SurfaceContact::add_stiffness_times(std::span<const Vec> values, std::span<
         const int piece = static_cast<int>(point / points_of_piece);
         const double at = gauss_points[point % points_of_piece];
         Vec past = Vec::Zero();
-        surfaces_.for_each_share(
-            piece, at, [&](int unknown, double share) { past += share * values[index_of(unknown)]; });
-        surfaces_.for_each_share(
-            touch.piece, touch.t, [&](int unknown, double share) { past -= share * values[index_of(unknown)]; });
+        surfaces_.for_each_share(piece, at,
+                                 [&](int unknown, double share) { past += share * values[index_of(unknown)]; });
+        surfaces_.for_each_share(touch.piece, touch.t,
+                                 [&](int unknown, double share) { past -= share * values[index_of(unknown)]; });
         const Vec along_normal = past.dot(touch.normal) * touch.normal;
         const Vec held = touch.normal_slope * along_normal + touch.tangent_slope * (past - along_normal);
         const auto add = [&](double sign) {
             return [&, sign](int unknown, double share) {
-                if (inverse_mass_[index_of(unknown)] > 0) image[index_of(unknown)] += sign * share * held;
+                if (inverse_mass_[index_of(unknown)] > 0) image[index_of(unknown)] += sign * of_balance * share * held;
             };
         };
         surfaces_.for_each_share(piece, at, add(1));
@@ -58,9 +76,11 @@ void SurfaceContact::add_stiffness_times(std::span<const Vec> values, std::span<
     }
 }
 
-ContactImpulses SurfaceContact::kick_at_end(SpringBodies& bodies) {
+Vec SurfaceContact::press(SpringBodies& bodies) {
     find_forces(dt_, true);
-    return kick_bodies(bodies);
+    for (std::size_t b = 0; b < bodies.bodies().size(); ++b)
+        bodies.bodies()[b]->press(std::span(force_).subspan(surfaces_.first_unknown()[b]));
+    return impulse_on_walls();
 }
 
 }  // namespace dmp::solver

@@ -98,7 +98,7 @@ SurfaceContact::Touch SurfaceContact::touch_of(int piece, std::size_t point, dou
     // Beyond a corner that sticks out, or an end, there is nothing.
     const bool is_beyond = (touch.t == 0 && (other.is_sharp[0] || other.previous < 0)) ||
                            (touch.t == 1 && (other.is_sharp[1] || other.next < 0));
-    touch.is_one = touch.gap < margin && !is_beyond;
+    touch.is_one = touch.gap < margin && !is_beyond && !(is_held_[index_of(piece)] && is_held_[index_of(touch.piece)]);
     const double here = ContactSurfaces::weight(own, gauss_points[point]).value;
     const auto [there, slope] = ContactSurfaces::weight(other, touch.t);
     touch.share = there / (here + there);
@@ -112,7 +112,8 @@ void SurfaceContact::find_touches(double margin) {
     for (std::ptrdiff_t k = 0; k < count; ++k)
         for (std::size_t p = 0; p < points_of_piece; ++p) {
             const std::size_t index = static_cast<std::size_t>(k) * points_of_piece + p;
-            touches_[index] = pairs_.others(static_cast<int>(k)).empty() ? Touch{} : touch_of(static_cast<int>(k), p, margin);
+            touches_[index] =
+                pairs_.others(static_cast<int>(k)).empty() ? Touch{} : touch_of(static_cast<int>(k), p, margin);
             const Touch& touch = touches_[index];
             const int other = touch.piece < 0 ? no_solid : surfaces_.pieces()[index_of(touch.piece)].solid;
             // What was drawn into another solid has left it once it is in front of it.
@@ -159,7 +160,6 @@ void SurfaceContact::add_force(std::size_t point, double ahead, bool remembers) 
     const auto &own = surfaces_.pieces()[index_of(piece)], &other = surfaces_.pieces()[index_of(touch.piece)];
     const double at = gauss_points[point % points_of_piece], weight = own.weight[point % points_of_piece];
     const double stiffness = stiffness_of(piece, touch.piece);
-    if (!std::isfinite(stiffness)) return;  // both are held
 
     Vec past = Vec::Zero();  // at which it passes
     double gap = touch.gap;
@@ -169,15 +169,16 @@ void SurfaceContact::add_force(std::size_t point, double ahead, bool remembers) 
         // Walls are in the middle of the step when bodies are at its start.
         gap += ahead * ((own.is_wall ? 0.5 : 1) * of_own - (other.is_wall ? 0.5 : 1) * of_other).dot(touch.normal);
     }
-    touch.normal_slope = touch.tangent_slope = 0;
+    touch.normal_slope = touch.tangent_slope = touch.pressure = 0;
+    touch.force.setZero();
     Vec slip = memory_[point].slip;
     if (gap < 0) {
         const double inverse_mass = rate_[index_of(own.part)] + rate_[index_of(other.part)];
         const double mass_per_area = inverse_mass > 0 ? 1 / inverse_mass : 0;
         const double pressure = law_.pressure(stiffness, gap, past.dot(touch.normal), mass_per_area);
+        touch.pressure = pressure;
         const double area = touch.share * weight;
-        if (pressure > 0)
-            touch.normal_slope = area * (ahead * stiffness + law_.dashpot(stiffness, mass_per_area));
+        if (pressure > 0) touch.normal_slope = area * (ahead * stiffness + law_.dashpot(stiffness, mass_per_area));
         // Towards where there is more of the contact, its energy grows.
         Vec tangential = Vec::Zero();
         if (touch.share_slope != 0) {
@@ -192,13 +193,15 @@ void SurfaceContact::add_force(std::size_t point, double ahead, bool remembers) 
             slip += dt_ * (past - past.dot(touch.normal) * touch.normal);
             const double before = slip.norm();
             const Vec friction = area * law_.traction(stiffness, pressure, slip);
-            if (slip.norm() == before) touch.tangent_slope = area * dt_ * SurfaceContactLaw::tangential_stiffness * stiffness;
+            if (slip.norm() == before)
+                touch.tangent_slope = area * dt_ * SurfaceContactLaw::tangential_stiffness * stiffness;
             add_couple(piece, touch.from - touch.at, friction);
             tangential += friction;
         }
         const Vec force = area * pressure * touch.normal + tangential;
         push(piece, at, force);
         push(touch.piece, touch.t, -force);
+        touch.force = force;
     }
     if (remembers) remember(point, gap, slip);
 }
@@ -211,15 +214,14 @@ void SurfaceContact::remember(std::size_t point, double gap, const Vec& slip) {
     if (-gap > deepest_of_all_.depth) deepest_of_all_ = {-gap, t_, touch.from, {own.part, other.part}};
 }
 
-ContactImpulses SurfaceContact::kick_bodies(SpringBodies& bodies) {
-    ContactImpulses impulses{Vec::Zero(), Vec::Zero()};
-    for (std::size_t b = 0; b < bodies.bodies().size(); ++b)
-        impulses.of_supports += bodies.bodies()[b]->kick(std::span(force_).subspan(surfaces_.first_unknown()[b]), dt_);
+/// Of the step, or the part of it [N s].
+Vec SurfaceContact::impulse_on_walls() {
+    Vec sum = Vec::Zero();
     for (std::size_t k = 0; k < on_walls_.size(); ++k) {
         impulse_on_walls_[k] += dt_ * on_walls_[k];
-        impulses.on_walls += dt_ * on_walls_[k];
+        sum += dt_ * on_walls_[k];
     }
-    return impulses;
+    return sum;
 }
 
 int SurfaceContact::parts_of_step(const SpringBodies& bodies, const WallMotion& walls, double t, double dt) {
@@ -233,7 +235,35 @@ ContactImpulses SurfaceContact::kick(SpringBodies& bodies, const WallMotion& wal
     place(bodies, walls, t, dt);
     find_touches(0);
     find_forces(0, true);
-    return kick_bodies(bodies);
+    ContactImpulses impulses{Vec::Zero(), impulse_on_walls()};
+    for (std::size_t b = 0; b < bodies.bodies().size(); ++b)
+        impulses.of_supports += bodies.bodies()[b]->kick(std::span(force_).subspan(surfaces_.first_unknown()[b]), dt);
+    return impulses;
+}
+
+SurfaceContact::Sums SurfaceContact::sums(const std::string& part, const std::string& against) const {
+    Sums sums;
+    const auto is_of = [&](int piece, const std::string& name) {
+        return name.empty() || space_.parts[index_of(surfaces_.pieces()[index_of(piece)].part)].name == name;
+    };
+    for (std::size_t k = 0; k < surfaces_.pieces().size(); ++k) {
+        double on_piece = 0, length = 0;
+        for (std::size_t p = 0; p < points_of_piece; ++p) {
+            const Touch& touch = touches_[k * points_of_piece + p];
+            const double weight = surfaces_.pieces()[k].weight[p];
+            length += weight;
+            if (!touch.is_one || !(touch.pressure > 0)) continue;
+            const bool own = is_of(static_cast<int>(k), part) && is_of(touch.piece, against);
+            const bool met = is_of(touch.piece, part) && is_of(static_cast<int>(k), against);
+            if (own) sums.force += touch.force;
+            if (met) sums.force -= touch.force;
+            if (!own && !met) continue;
+            sums.area += touch.share * weight;
+            on_piece += weight * touch.pressure;
+        }
+        if (length > 0) sums.pressure = std::max(sums.pressure, on_piece / length);
+    }
+    return sums;
 }
 
 /// The forces on a wall are those of its particles.

@@ -59,13 +59,14 @@ class SurfaceContact {
     [[nodiscard]] bool may_touch(const SpringBodies& bodies, const WallMotion& walls, double t, double dt);
     /// By body: whether it may.
     [[nodiscard]] const std::vector<bool>& touched_bodies() const { return touched_bodies_; }
-    /// Adds the forces at the end of the step on free unknowns, if their mean velocities in it are w.
+    /// Adds the forces at the end of the step on free unknowns, if their mean velocities in it are w, to the balance of
+    /// the bodies.
     void add_forces_at_end(std::span<const Vec> w, std::span<Vec> force);
-    /// Adds minus the derivative of those forces with respect to w, near the last w, times values. Friction that slides
-    /// is left out.
+    /// Adds minus the derivative of what this adds with respect to w, near the last w, times values. Friction that
+    /// slides is left out.
     void add_stiffness_times(std::span<const Vec> values, std::span<Vec> image) const;
-    /// Kicks the bodies by the forces of the last w.
-    ContactImpulses kick_at_end(SpringBodies& bodies);
+    /// Has the forces of the last w act on the bodies in their next advance. Returns the impulse on the walls [N s].
+    [[nodiscard]] Vec press(SpringBodies& bodies);
 
     /// Adds the mean forces on walls since the last time, over dt, to those of the store.
     void show_on_walls(ParticleStore& particles, double dt);
@@ -80,6 +81,14 @@ class SurfaceContact {
                 of_parts.emplace_back(space_.parts[part].name, stiffness_[part]);
         return of_parts;
     }
+
+    struct Sums {
+        Vec force = Vec::Zero();  ///< on the part [N]
+        double area = 0;          ///< in which it touches [m^2]
+        double pressure = 0;      ///< the largest mean on a piece of a surface, at most a spacing long [Pa]
+    };
+    /// Of the last step, or the last part of it: of a part against another, or the same; empty: against all. 1 m deep.
+    [[nodiscard]] Sums sums(const std::string& part, const std::string& against) const;
 
     /// Over the run so far.
     struct Deepest {
@@ -105,6 +114,8 @@ class SurfaceContact {
         Vec from = Vec::Zero(), at = Vec::Zero(), normal = Vec::Zero();
         double gap = 0;
         double share = 0, share_slope = 0;  ///< a [-], da/ds [1/m]
+        double pressure = 0;                ///< [Pa]
+        Vec force = Vec::Zero();            ///< on the piece of the point [N]
         /// By how much the forces at the end of the step fall with the velocity along the normal, the tangent [N s/m].
         double normal_slope = 0, tangent_slope = 0;
     };
@@ -125,6 +136,7 @@ class SurfaceContact {
     void read_bodies(const SpringBodies& bodies);
     void place(const SpringBodies& bodies, const WallMotion& walls, double t, double dt);
     [[nodiscard]] double farthest_way() const;
+    [[nodiscard]] bool meets_soon(std::size_t point) const;
     void archive_deepest(Archive& file);
     /// Those nearer than `margin` [m].
     void find_touches(double margin);
@@ -138,7 +150,7 @@ class SurfaceContact {
     void add_couple(int piece, const Vec& arm, const Vec& force);
     void push(int piece, double t, const Vec& force);
     [[nodiscard]] Vec velocity_at(int piece, double t) const;
-    ContactImpulses kick_bodies(SpringBodies& bodies);
+    Vec impulse_on_walls();
 
     const ParticleSpace space_;
     int threads_;
@@ -146,7 +158,7 @@ class SurfaceContact {
     double given_stiffness_;  ///< 0: none
     double at_walls_;         ///< how much stiffer an automatic contact is at walls, which do not give way
     ContactStepping stepping_;
-    double deepest_;          ///< how far behind a surface it looks [m]
+    double deepest_;  ///< how far behind a surface it looks [m]
     ContactSurfaces surfaces_;
     PiecePairs pairs_;
     std::vector<double> stiffness_;  ///< by part; of walls infinite [Pa/m]
@@ -155,6 +167,7 @@ class SurfaceContact {
 
     std::vector<Vec> position_, velocity_, force_;  ///< by unknown
     std::vector<double> inverse_mass_;
+    std::vector<bool> is_held_;  ///< by piece: whether it is a wall's, or all that carries it is held
     std::vector<bool> touched_bodies_;
     const WallMotion* walls_ = nullptr;  ///< of the present step, with its time and length [s]
     double t_ = 0, dt_ = 0;

@@ -59,6 +59,13 @@ void SurfaceContact::find_bodies(const SpringBodies& bodies) {
     for (const auto& body : bodies.bodies())
         for (std::size_t n = 0; n < body->unknowns(); ++n)
             inverse_mass_.push_back(body->unknown_fixed(n) ? 0 : 1 / body->unknown_mass(n));
+    is_held_.clear();
+    for (std::size_t k = 0; k < surfaces_.pieces().size(); ++k) {
+        bool held = true;
+        surfaces_.for_each_share_of_chord(
+            static_cast<int>(k), [&](int unknown, double) { held = held && inverse_mass_[index_of(unknown)] == 0; });
+        is_held_.push_back(held);
+    }
     rate_.clear();
     for (std::size_t part = 0; part < space_.parts.size(); ++part)
         rate_.push_back(rate_of_full_touch(static_cast<int>(part)));
@@ -102,12 +109,12 @@ double SurfaceContact::rate_of_full_touch(int part) const {
     return below * largest;
 }
 
-/// Implicit contact: 6 M / h (M = lambda + 2 mu). Else as stiff as the step allows, up to 10 M / h; where steps may be
-/// taken in parts also as stiff as bodies need that meet with the largest speed of the flow, up to 3 M / h: they are
-/// stopped by the pressure of an elastic wave, rho c v, thin ones within a swing on the contact, k = rho T v^2 / d^2.
+/// Implicit contact: 6 M / h (M = lambda + 2 mu). Else as stiff as the step allows, up to 10 M / h, and where steps may
+/// be taken in parts at least 3 M / h, with which a pressure p goes p / 3 M spacings deep. For thin bodies, which give
+/// way, it is what stops them within a swing on the contact, k = rho T v^2 / d^2, if that is less.
 void SurfaceContact::find_stiffness(const Scene& scene, const SpringBodies& bodies, double longest_step) {
-    constexpr double of_step_at_most = 10, of_implicit = 6, at_most = 3;  // over M / h
-    constexpr double depth = 0.04;                       // [spacings]
+    constexpr double of_step_at_most = 10, of_implicit = 6, of_parts = 3;  // over M / h
+    constexpr double depth = 0.04;                                         // [spacings]
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const double spacing = space_.spacing;
     const double of_step = std::pow(2 * step_factor / longest_step, 2) / (2 * law_.stiffening());
@@ -130,7 +137,6 @@ void SurfaceContact::find_stiffness(const Scene& scene, const SpringBodies& bodi
         for (const auto& piece : surfaces_.pieces())
             if (index_of(piece.part) == part) thickness = std::max(thickness, piece.thickness);
         const double density = 2 / (rate_[part] * spacing);
-        const double by_wave = std::sqrt(density * of_body * spacing) * speed / (depth * spacing);
         const bool is_thin = thickness < 2.9 * spacing;
         const double by_swing = is_thin ? density * thickness * std::pow(speed / (depth * spacing), 2) : infinite;
         const double by_step = std::min(of_step / rate_[part], of_step_at_most * of_body);
@@ -139,7 +145,7 @@ void SurfaceContact::find_stiffness(const Scene& scene, const SpringBodies& bodi
                 stiffness_.push_back(by_step);
                 break;
             case ContactStepping::in_parts:
-                stiffness_.push_back(std::max(by_step, std::min({at_most * of_body, by_wave, by_swing})));
+                stiffness_.push_back(std::max(by_step, std::min(by_swing, of_parts * of_body)));
                 break;
             case ContactStepping::at_end:
                 stiffness_.push_back(of_implicit * of_body);
@@ -184,9 +190,9 @@ void SurfaceContact::find_start(const Scene& scene, const SpringBodies& bodies) 
             is_held(own.is_wall ? touch.piece : piece, own.is_wall ? touch.t : gauss_points[point % points_of_piece]);
         if (is_joined || -touch.gap < deepest_start * space_.spacing) continue;
         throw InputError(scene.contact.between.location,
-                         "'" + space_.parts[index_of(own.part)].name + "' and '" + space_.parts[index_of(other.part)].name +
-                             "' overlap at the start, by " + length_text(-touch.gap) + " at " +
-                             position_text(touch.from, space_.dimension),
+                         "'" + space_.parts[index_of(own.part)].name + "' and '" +
+                             space_.parts[index_of(other.part)].name + "' overlap at the start, by " +
+                             length_text(-touch.gap) + " at " + position_text(touch.from, space_.dimension),
                          "draw them apart, or write [contact] between = \"particles\"");
     }
     start_ = starts;

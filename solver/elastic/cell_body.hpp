@@ -46,6 +46,7 @@ class CellBody final : public SpringBody {
         find_offsets();
         return impulse;
     }
+    void press(std::span<const Vec> on_unknowns) override { network_.press(on_unknowns); }
     [[nodiscard]] std::vector<Vec> balance(std::span<const Vec> w, double dt) const override {
         return network_.balance(w, dt);
     }

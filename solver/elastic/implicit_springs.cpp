@@ -29,11 +29,29 @@ constexpr int most_halvings = 6;
 template <int D>
 typename SpringNetwork<D>::Impulses SpringNetwork<D>::advance_implicit(double dt) {
     position_before_ = position_;
-    if (!expected_.empty()) return advance_as_expected(dt);
-    if (!system_) system_ = std::make_unique<ImplicitSystem>(*this);
     Impulses impulses{};
-    advance_in_parts(dt, most_halvings, impulses);
+    if (!expected_.empty()) {
+        impulses = advance_as_expected(dt);
+    } else {
+        if (!system_) system_ = std::make_unique<ImplicitSystem>(*this);
+        advance_in_parts(dt, most_halvings, impulses);
+    }
+    pressing_.clear();
     return impulses;
+}
+
+template <int D>
+void SpringNetwork<D>::press(std::span<const Vec> on_unknowns) {
+    pressing_.clear();
+    for (std::size_t n = 0; n < ids_.size(); ++n) pressing_.push_back(of_space(on_unknowns[n]));
+}
+
+template <int D>
+typename SpringNetwork<D>::Vectors SpringNetwork<D>::all_forces(const Vectors& position,
+                                                                const Vectors& velocity) const {
+    Vectors force = forces(position, velocity);
+    for (std::size_t n = 0; n < pressing_.size(); ++n) force[n] += pressing_[n];
+    return force;
 }
 
 template <int D>
@@ -42,7 +60,7 @@ typename SpringNetwork<D>::Impulses SpringNetwork<D>::advance_as_expected(double
     Vectors middle = position_;
     for (std::size_t n = 0; n < ids_.size(); ++n)
         if (!fixed_[n]) middle[n] += (dt / 2) * mean[n];
-    force_ = forces(middle, mean);
+    force_ = all_forces(middle, mean);
     Impulses impulses{};
     kick(dt, force_, mean, impulses);
     for (std::size_t n = 0; n < ids_.size(); ++n)
@@ -86,7 +104,7 @@ bool SpringNetwork<D>::solve_step(double dt, Impulses& impulses) {
 
     if (!system_->fits(dt)) system_->factorise(*this, middle, dt);
     for (int iteration = 1;; ++iteration) {
-        force_ = forces(middle, middle_velocity);
+        force_ = all_forces(middle, middle_velocity);
         Vectors residual(nodes, Point{});
         for (std::size_t n = 0; n < nodes; ++n)
             if (!fixed_[n])
@@ -98,7 +116,7 @@ bool SpringNetwork<D>::solve_step(double dt, Impulses& impulses) {
         if (iteration % iterations_with_one_matrix == 0) system_->factorise(*this, middle, dt);
     }
 
-    force_ = forces(middle, middle_velocity);
+    force_ = all_forces(middle, middle_velocity);
     const Vectors velocity_before = velocity_;
     kick(dt, force_, middle_velocity, impulses);
     for (std::size_t n = 0; n < nodes; ++n)

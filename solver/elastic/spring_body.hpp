@@ -105,6 +105,9 @@ class SpringBody {
     /// Changes velocities by dt F / m, with the forces F on the unknowns [N]. Returns the impulse of the supports
     /// [N s].
     virtual Vec kick(std::span<const Vec> on_unknowns, double dt) = 0;
+    /// Forces on the unknowns that act all through the next implicit advance, along with the body's own [N]; a kick at
+    /// its start would set off vibrations that its long step does not resolve.
+    virtual void press(std::span<const Vec> on_unknowns) = 0;
 
     /// Residual for implicit viscosity (ViscousNodes) of unknowns with mean velocity w over the next dt: half the
     /// springs' forces and drag, minus the force needed to reach w, F/2 - m / dt (w - v) [N]; 0 where they are held.

@@ -78,6 +78,7 @@ class SpringNetwork final : public SpringBody {
     [[nodiscard]] CarriedPoint carry(const Vec& at_rest, std::span<const int> near,
                                      const ParticleSpace& space) const override;
     Vec kick(std::span<const Vec> on_unknowns, double dt) override;
+    void press(std::span<const Vec> on_unknowns) override;
     [[nodiscard]] std::vector<Vec> balance(std::span<const Vec> w, double dt) const override;
     void prepare_in_fluid(std::span<const Vec> w, std::span<const Vec> drag, double dt) override;
     void prepare_alone(std::span<const Vec> w, double dt, bool anew) override;
@@ -160,6 +161,8 @@ class SpringNetwork final : public SpringBody {
             for (const auto& dihedral : dihedrals_) visit(dihedral);
     }
     void add_forces(const Vectors& position, const Vectors& velocity, Vectors& force) const;
+    /// Its own and those that press it.
+    [[nodiscard]] Vectors all_forces(const Vectors& position, const Vectors& velocity) const;
     /// v += h F / m along axes on which the node is free; the supports take it along the others [N s].
     void push(std::size_t node, double h, const Point& force, Point& of_holders);
     /// Those of the cells. Not a number where a cell is crushed or turned inside out, which no step may leave.
@@ -188,6 +191,7 @@ class SpringNetwork final : public SpringBody {
     /// The first cell that was crushed in a trial of a step, since the last step.
     mutable std::optional<Point> crushed_at_;
     Vectors expected_;  ///< mean velocities of the next step, if known
+    Vectors pressing_;  ///< forces from outside all through the next step, if there are any
     std::unique_ptr<ImplicitSystem> system_, in_fluid_;
     const ImplicitSystem* prepared_ = nullptr;      ///< one of the two
     double prepared_step_ = 0;                      ///< for which it was factorised [s]

@@ -24,7 +24,9 @@ Axes axes_of(ParticleGroup& group, Field field) {
 ViscousSystem::ViscousSystem(const Around& around, double dt, const std::array<double, 3>& g)
     : on_(around),
       fluid_(around.particles.fluid()),
-      nodes_(around.springs, around.contact, around.particles, dt), dt_(dt), g_(g) {
+      nodes_(around.springs, around.contact, around.particles, dt),
+      dt_(dt),
+      g_(g) {
     on_.sweep({}, [this](ClusterChoice clusters) { on_.sweeps.viscous_diagonal(on_.particles, on_.list, clusters); });
     nodes_.prepare(on_.particles);
 

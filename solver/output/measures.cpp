@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "base/errors.hpp"
+#include "solver/contact/surface_contact.hpp"
 #include "solver/output/aggregates.hpp"
 #include "solver/output/body_measure.hpp"
 #include "solver/output/field_measure.hpp"
@@ -35,6 +36,14 @@ void need_region_in_box(const Scene& scene, const Measure& measure, const Partic
                     "region '" + *region.name + "' of measure '" + *measure.name + "' lies outside of all particles",
                     "correct its corners; 'dmp mesh' says where the particles are");
         }
+}
+
+void need_surfaces(const Measure& measure, const PairSettings& settings) {
+    if (settings.surface_contact) return;
+    throw InputError(
+        measure.kind.location,
+        "measure '" + *measure.name + "' is of contact between surfaces, and the particles come without them",
+        "let the mesher make the particles from the geometry");
 }
 
 void need_long_waves(const Measure& measure, const ParticleSpace& space) {
@@ -71,6 +80,13 @@ struct Measures::Rows {
              // Its column is behind those of position and velocity.
              const std::size_t angle = moment.first + 2 * static_cast<std::size_t>(self.space_.dimension);
              return body.values(rows.empty() ? 0 : rows.back().at(angle));
+         }},
+        {MeasureKind::contact,
+         [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
+             const auto [force, area, pressure] = moment.step.surface_contact()->sums(*measure.part, *measure.against);
+             Values values(force.data(), force.data() + self.space_.dimension);
+             values.insert(values.end(), {area, pressure});
+             return values;
          }},
         {MeasureKind::field,
          [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
@@ -125,6 +141,7 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
         if (!is_about_enabled_parts(scene, measure)) continue;  // the part was left out, and so is what is asked of it
         measures_.push_back(&measure);
         if (*measure.kind == MeasureKind::mode) need_long_waves(measure, space_);
+        if (*measure.kind == MeasureKind::contact) need_surfaces(measure, settings);
         if (*measure.kind == MeasureKind::gap) gaps_.try_emplace(&measure, measure, set);
         if (*measure.kind == MeasureKind::displacement) displacements_.try_emplace(&measure, measure, set);
         if (*measure.kind == MeasureKind::body) BodyMeasure::need_ends(measure, set);

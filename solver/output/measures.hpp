@@ -21,6 +21,7 @@ namespace dmp::solver {
 ///   gap            smallest distance between centres of particles of different pieces of an elastic solid [m]
 ///   displacement   of an elastic solid (DisplacementMeasure), a column for each component [m]
 ///   body           place, velocity, angle, length and stretches of an elastic solid (BodyMeasure)
+///   contact        force, area and largest pressure of what an elastic solid touches (SurfaceContact)
 ///   field          mean and extremes of a fluid field in a region (range_in_fluid)
 ///   solid_field    the same of an elastic solid (range_in_solid)
 ///   largest_speed  of the fluid [m/s]

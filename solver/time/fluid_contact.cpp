@@ -3,8 +3,8 @@
 // What FluidStep does for elastic bodies and their contact.
 #include <functional>
 
-#include "solver/contact/contact_solve.hpp"
 #include "solver/contact/surface_contact.hpp"
+#include "solver/implicit/contact_solve.hpp"
 #include "solver/time/fluid_step.hpp"
 
 namespace dmp::solver {
@@ -14,8 +14,8 @@ void FluidStep::start_surface_contact(const Scene& scene, const ParticleSet& set
         surface_contact_ = std::make_unique<SurfaceContact>(scene, set, springs_, longest_step, settings_.threads);
 }
 
-/// Contact of surfaces: at once, in shorter parts along with the bodies' own step (advance_elastic), or by the places at
-/// the end of the step, along with viscosity where that is implicit.
+/// Contact of surfaces: at once, in shorter parts along with the bodies' own step (advance_elastic), or by the places
+/// at the end of the step, along with viscosity where that is implicit.
 void FluidStep::touch(double t, double dt) {
     timer_.timed("contact", [&] {
         switch (surface_contact_->stepping()) {
@@ -30,7 +30,7 @@ void FluidStep::touch(double t, double dt) {
                 may_touch_ = surface_contact_->may_touch(springs_, walls_, t, dt);
                 if (!may_touch_ || viscosity_) break;
                 ContactSolve(springs_, *surface_contact_, particles_, dt).solve();
-                count_contact(surface_contact_->kick_at_end(springs_));
+                count_contact({Vec::Zero(), surface_contact_->press(springs_)});
                 break;
         }
     });
@@ -42,7 +42,7 @@ void FluidStep::solve_viscous_forces(double t, double dt) {
     timer_.timed("viscosity", [&] {
         viscosity_->add_forces(particles_, neighbours_.list(), springs_, contact, dt, body_force_.uniform(t), swept);
     });
-    if (contact != nullptr) timer_.timed("contact", [&] { count_contact(contact->kick_at_end(springs_)); });
+    if (contact != nullptr) timer_.timed("contact", [&] { count_contact({Vec::Zero(), contact->press(springs_)}); });
 }
 
 void FluidStep::count_contact(const ContactImpulses& given) {

@@ -16,7 +16,7 @@ namespace dmp::tests::contact_on_ranks_tests {
 namespace {
 
 /// A disc that falls onto a floor beside a wall, through liquid, with a spin.
-Meshed falling_disc() {
+Meshed falling_disc(const std::string& viscosity_stepping) {
     return mesh_texts(
         {"schema = 1\ntitle = \"disc\"\ndimension = 2\n[geometry]\nfile = \"channel.geo\"\n[particles]\nspacing = \"1 "
          "mm\"\n[[part]]\nname = \"water\"\nkind = \"fluid\"\ndensity = \"1000 kg/m^3\"\nviscosity = \"50 "
@@ -24,7 +24,8 @@ Meshed falling_disc() {
          "MPa\"\npoisson_ratio = 0.25\ninitial_velocity = [\"0.3 m/s\", \"-0.4 m/s\"]\n[[part]]\nname = \"wall\"\nkind "
          "= "
          "\"rigid\"\n[flow]\nacceleration = [0, \"-10 m/s^2\"]\nlargest_speed = \"0.4 m/s\"\n[contact]\nfriction = "
-         "0.4\n[run]\nduration = \"20 ms\"\n[output]\nevery = \"5 ms\"\n",
+         "0.4\n[numerics]\nviscosity_stepping = \"" +
+             viscosity_stepping + "\"\n[run]\nduration = \"20 ms\"\n[output]\nevery = \"5 ms\"\n",
          "Point(1) = {0, 0, 0};\nPoint(2) = {30e-3, 0, 0};\nPoint(3) = {30e-3, 20e-3, 0};\nPoint(4) = {0, 20e-3, 0};\n"
          "Point(5) = {24.3e-3, 5.4e-3, 0};\nPoint(6) = {29.3e-3, 5.4e-3, 0};\nPoint(7) = {24.3e-3, 10.4e-3, 0};\n"
          "Point(8) = {19.3e-3, 5.4e-3, 0};\nPoint(9) = {24.3e-3, 0.4e-3, 0};\nLine(1) = {1, 2};\nLine(2) = {2, 3};\n"
@@ -55,11 +56,15 @@ RunSummary run_on(const Meshed& made, const Ranks& ranks, const std::filesystem:
     return simulation.run({});
 }
 
-TEST(ContactOnRanks, has_the_same_bits_on_any_number_of_ranks_and_resumed) {
+class ContactOnRanks : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(With, ContactOnRanks, ::testing::Values("explicit", "implicit"),
+                         [](const auto& of) { return of.param + "_viscosity"; });
+
+TEST_P(ContactOnRanks, has_the_same_bits_on_any_number_of_ranks_and_resumed) {
     const Ranks ranks = Ranks::world();
     Meshed made;
     for (int rank = 0; rank < ranks.size(); ++rank) {  // one after another, as they write the same files
-        if (rank == ranks.rank()) made = falling_disc();
+        if (rank == ranks.rank()) made = falling_disc(GetParam());
         (void)ranks.any(false);
     }
     const RunSummary alone = run_on(made, Ranks::alone());

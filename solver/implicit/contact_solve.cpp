@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/contact/contact_solve.hpp"
+#include "solver/implicit/contact_solve.hpp"
 
 #include <algorithm>
 
@@ -52,7 +52,8 @@ long ContactSolve::solve() {
             for_each_body([&](SpringBody& body, std::size_t first, std::size_t count) {
                 body.prepare_alone(std::span(velocity_).subspan(first, count), dt_, true);
             });
-        iterations += conjugate_gradients(*this, std::max(0.5 * tolerance, of_cycle * error), most_iterations).iterations;
+        iterations +=
+            conjugate_gradients(*this, std::max(0.5 * tolerance, of_cycle * error), most_iterations).iterations;
     }
 }
 
