@@ -12,8 +12,8 @@ std::vector<Key<Contact>> contact_keys() {
          "What elastic bodies and walls touch with: their drawn \"surfaces\", or \"particles\" that repel each other, "
          "as in the published studies. \"auto\": surfaces in 2-D without [[solidify]] and planes of symmetry."},
         {"stiffness", &Contact::stiffness, quantity_or_auto("1e9 Pa/m"), unwritten("auto"),
-         "Contact of surfaces: pressure over the depth to which they pass into each other; \"auto\": as much as the "
-         "time step allows."},
+         "Contact of surfaces: pressure over the depth to which they pass into each other; \"auto\": from the stiffness of "
+         "the material, or what the time step allows (docs/elastic.md)."},
         {"friction", &Contact::friction, number(not_negative), unwritten("0"),
          "Contact of surfaces: coefficient of friction (Coulomb's)."},
         {"damping", &Contact::damping, number(between(0, 1)), unwritten("0"),

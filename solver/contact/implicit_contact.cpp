@@ -16,9 +16,12 @@ constexpr double of_balance = 0.5;
 
 bool SurfaceContact::may_touch(const SpringBodies& bodies, const WallMotion& walls, double t, double dt) {
     place(bodies, walls, t, dt);
-    find_touches(std::min(farthest_way(), deepest_));
+    find_touches(std::min(farthest_way() + at_rest * space_.spacing, deepest_));
     for (std::size_t point = 0; point < touches_.size(); ++point)
-        if (touches_[point].gap > 0 && touches_[point].is_one) touches_[point].is_one = meets_soon(point);
+        if (touches_[point].gap > 0 && touches_[point].is_one && !meets_soon(point)) {
+            touches_[point].is_one = false;
+            memory_[point] = {};
+        }
     std::vector<bool> touched(position_.size());
     bool any = false;
     for (std::size_t point = 0; point < touches_.size(); ++point) {
@@ -43,7 +46,7 @@ bool SurfaceContact::meets_soon(std::size_t point) const {
     const int piece = static_cast<int>(point / points_of_piece);
     const double speed =
         velocity_at(piece, gauss_points[point % points_of_piece]).norm() + velocity_at(touch.piece, touch.t).norm();
-    return touch.gap < 2 * speed * dt_;
+    return touch.gap < 2 * speed * dt_ + at_rest * space_.spacing;
 }
 
 void SurfaceContact::add_forces_at_end(std::span<const Vec> w, std::span<Vec> force) {

@@ -160,6 +160,7 @@ void SurfaceContact::add_force(std::size_t point, double ahead, bool remembers) 
     const auto &own = surfaces_.pieces()[index_of(piece)], &other = surfaces_.pieces()[index_of(touch.piece)];
     const double at = gauss_points[point % points_of_piece], weight = own.weight[point % points_of_piece];
     const double stiffness = stiffness_of(piece, touch.piece);
+    const bool touched = touch.gap < 0;  // before this step: friction and dashpot begin after that
 
     Vec past = Vec::Zero();  // at which it passes
     double gap = touch.gap;
@@ -175,10 +176,11 @@ void SurfaceContact::add_force(std::size_t point, double ahead, bool remembers) 
     if (gap < 0) {
         const double inverse_mass = rate_[index_of(own.part)] + rate_[index_of(other.part)];
         const double mass_per_area = inverse_mass > 0 ? 1 / inverse_mass : 0;
-        const double pressure = law_.pressure(stiffness, gap, past.dot(touch.normal), mass_per_area);
+        const double pressure = law_.pressure(stiffness, gap, touched ? past.dot(touch.normal) : 0, mass_per_area);
         touch.pressure = pressure;
         const double area = touch.share * weight;
-        if (pressure > 0) touch.normal_slope = area * (ahead * stiffness + law_.dashpot(stiffness, mass_per_area));
+        if (pressure > 0)
+            touch.normal_slope = area * (ahead * stiffness + (touched ? law_.dashpot(stiffness, mass_per_area) : 0));
         // Towards where there is more of the contact, its energy grows.
         Vec tangential = Vec::Zero();
         if (touch.share_slope != 0) {
@@ -186,7 +188,7 @@ void SurfaceContact::add_force(std::size_t point, double ahead, bool remembers) 
                          other.now.tangent(touch.t).normalized();
             add_couple(touch.piece, touch.from - touch.at, tangential);
         }
-        if (law_.friction > 0) {
+        if (law_.friction > 0 && touched) {
             const double length = slip.norm();
             slip -= slip.dot(touch.normal) * touch.normal;
             if (slip.norm() > 0) slip *= length / slip.norm();

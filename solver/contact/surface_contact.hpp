@@ -103,6 +103,8 @@ class SurfaceContact {
 
   private:
     static constexpr int no_solid = -1;
+    /// What is at rest may meet something in a step if it is nearer than this [spacings].
+    static constexpr double at_rest = 0.05;
     static constexpr std::size_t points_of_piece = ContactSurfaces::points_of_piece;
     static std::size_t index_of(int number) { return static_cast<std::size_t>(number); }
 

@@ -145,10 +145,12 @@ void SurfaceContact::find_stiffness(const Scene& scene, const SpringBodies& bodi
                 stiffness_.push_back(by_step);
                 break;
             case ContactStepping::in_parts:
-                stiffness_.push_back(std::max(by_step, std::min(by_swing, of_parts * of_body)));
+                stiffness_.push_back(
+                    std::max(by_step, std::min(by_swing, std::isfinite(of_body) ? of_parts * of_body : 0)));
                 break;
             case ContactStepping::at_end:
-                stiffness_.push_back(of_implicit * of_body);
+                // The limit of a joined body is that of the first of its parts.
+                stiffness_.push_back(std::isfinite(of_body) ? of_implicit * of_body : by_step);
                 break;
         }
     }

@@ -2,6 +2,9 @@
 #include "solver/implicit/contact_solve.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace dmp::solver {
 
@@ -39,22 +42,30 @@ void ContactSolve::for_each_body(const Visit& visit) const {
     }
 }
 
-long ContactSolve::solve() {
+bool ContactSolve::solve() {
     constexpr double of_cycle = 0.05;  // each cycle solves its linear equations to this part of the error
-    for_each_body([&](SpringBody& body, std::size_t first, std::size_t count) {
-        body.prepare_alone(std::span(velocity_).subspan(first, count), dt_, false);
-    });
-    long iterations = 0;
-    for (int cycle = 0;; ++cycle) {
+    const auto prepare = [this](bool anew) {
+        for_each_body([&](SpringBody& body, std::size_t first, std::size_t count) {
+            body.prepare_alone(std::span(velocity_).subspan(first, count), dt_, anew);
+        });
+    };
+    prepare(false);
+    std::vector<Vec> last = velocity_;  // where cells are whole
+    for (int cycle = 0; cycle < most_cycles; ++cycle) {
         const double error = find_residual();
-        if (!(error > tolerance) || cycle == most_cycles) return iterations;
-        if (cycle > 0 && cycle % cycles_with_one_matrix == 0)
-            for_each_body([&](SpringBody& body, std::size_t first, std::size_t count) {
-                body.prepare_alone(std::span(velocity_).subspan(first, count), dt_, true);
-            });
-        iterations +=
-            conjugate_gradients(*this, std::max(0.5 * tolerance, of_cycle * error), most_iterations).iterations;
+        if (error <= tolerance) return true;
+        if (!std::isfinite(error)) {  // a cell was crushed on the way: half of it
+            for (std::size_t n = 0; n < last.size(); ++n) velocity_[n] = 0.5 * (velocity_[n] + last[n]);
+            continue;
+        }
+        last = velocity_;
+        if (cycle > 0 && cycle % cycles_with_one_matrix == 0) prepare(true);
+        (void)conjugate_gradients(*this, std::max(0.5 * tolerance, of_cycle * error), most_iterations);
     }
+    // The bodies' own steps are halved where they cannot be solved.
+    velocity_ = std::move(last);
+    (void)find_residual();
+    return false;
 }
 
 double ContactSolve::find_residual() {
@@ -78,8 +89,8 @@ Residual ContactSolve::residual() const {
     double weighted = 0, largest = 0;
     for (std::size_t n = 0; n < residual_.size(); ++n) {
         weighted += residual_[n].dot(preconditioned_[n]);
-        const double correction = preconditioned_[n].cwiseAbs().maxCoeff();
-        if (!(correction <= largest)) largest = correction;  // NaN too
+        if (!preconditioned_[n].allFinite()) return {weighted, std::numeric_limits<double>::quiet_NaN()};
+        largest = std::max(largest, preconditioned_[n].cwiseAbs().maxCoeff());
     }
     return {weighted, dt_ * largest / spacing_};
 }

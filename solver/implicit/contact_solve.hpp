@@ -12,7 +12,7 @@ namespace dmp::solver {
 
 /// The implicit contact of one step: the mean velocities w of bodies' unknowns that are in balance with the forces of
 /// contact at the end of the step,
-///     m / dt (w - v) - F_body(x + dt/2 w, w) / 2 = F_others + F_contact(x + dt w)   [N]
+///     m / dt (w - v) - F_body(x + dt/2 w, w) / 2 = F_others + F_contact(x + dt w) / 2   [N]
 /// By Newton's method with conjugate gradients, preconditioned with the factors of the bodies' own implicit steps. Only
 /// the forces of contact are taken from it: whatever the tolerance, they are opposite, and bodies take their own step
 /// under them. Every rank holds all bodies and does the same. (ViscousSystem has contact among its equations.)
@@ -21,8 +21,8 @@ class ContactSolve {
     /// Of bodies that may touch in this step, under the forces that the store has. All ranks must call it.
     ContactSolve(SpringBodies& bodies, SurfaceContact& contact, const ParticleStore& particles, double dt);
 
-    /// Leaves the forces of contact with `contact`. Returns how many iterations it took.
-    long solve();
+    /// Leaves the forces of contact with `contact`. False if they are not those of a balance: of the last w.
+    bool solve();
 
     Residual start();
     double curvature();

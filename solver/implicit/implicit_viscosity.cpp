@@ -32,8 +32,10 @@ void ImplicitViscosity::add_forces(ParticleStore& particles, const ClusterList& 
         error = system.true_error();
         const double scale = system.velocity_scale();
         if (error <= tolerance_ * scale) break;
-        const bool stuck = cycle > (contact != nullptr ? cycles_to_touch : cycles_to_settle) && error > 0.5 * before;
-        if (stuck || cycle == most_cycles || !std::isfinite(error)) give_up(error / scale, iterations);
+        const bool stuck = cycle > (contact != nullptr ? cycles_to_touch : cycles_to_settle) &&
+                           error > (contact != nullptr ? 0.9 : 0.5) * before;
+        if (stuck || cycle == most_cycles || !std::isfinite(error))
+            give_up(error / scale, iterations, contact != nullptr);
         // From rest there is no scale yet.
         const double target = scale > 0 ? 0.5 * tolerance_ * scale : 0.01 * error;
         iterations += conjugate_gradients(system, target, most).iterations;
@@ -44,10 +46,11 @@ void ImplicitViscosity::add_forces(ParticleStore& particles, const ClusterList& 
     solves_.most_iterations = std::max<std::int64_t>(solves_.most_iterations, iterations);
 }
 
-void ImplicitViscosity::give_up(double error, long iterations) const {
+void ImplicitViscosity::give_up(double error, long iterations, bool may_touch) const {
     std::ostringstream problem;
     problem << "implicit viscosity: the velocities' error is still " << error << " of them after " << iterations
-            << " iterations, more than numerics.viscosity_tolerance = " << tolerance_;
+            << " iterations, more than numerics.viscosity_tolerance = " << tolerance_
+            << (may_touch ? "; elastic solids touch in this step" : "");
     throw UnsolvedViscosity(problem.str(),
                             "lower the viscosity or numerics.step_factor: rounding alone leaves about 1e-15 times the "
                             "step over the explicit limit; where that is below 0.01, a higher "

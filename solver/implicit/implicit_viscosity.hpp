@@ -47,7 +47,7 @@ class ImplicitViscosity {
     [[nodiscard]] const ViscousSolves& solves() const { return solves_; }
 
   private:
-    [[noreturn]] void give_up(double error, long iterations) const;
+    [[noreturn]] void give_up(double error, long iterations, bool may_touch) const;
 
     const PairSweeps& sweeps_;
     const Ranks& ranks_;

@@ -15,10 +15,9 @@ namespace dmp::solver {
 /// that step, are in its balance:
 ///     m / dt (w - v) - F_springs(x + dt/2 w, w) / 2 = F_others + F_viscous(w)
 /// as in the body's own implicit midpoint step, whose solution w is. Without them a light body in a thick liquid would
-/// first be stopped by it, and then spring as if nothing held it. Where bodies may touch, the forces of contact at the
-/// end of the step are in the balance, too.
-/// Every rank holds all nodes. The preconditioner solves each body's own equations, its diagonal drag in the liquid
-/// included, so that stiff springs cost no iterations.
+/// first be stopped by it, and then spring as if nothing held it. Where bodies may touch, half of the forces of contact
+/// at the end of the step are in the balance, too. Every rank holds all nodes. The preconditioner solves each body's
+/// own equations, its diagonal drag in the liquid included, so that stiff springs cost no iterations.
 class ViscousNodes {
   public:
     /// From the present velocities of nodes, and the other forces on them. `contact`: null where nothing may touch.

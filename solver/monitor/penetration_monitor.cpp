@@ -255,8 +255,7 @@ void PenetrationMonitor::give_advice(Warning& warning, const SurfaceContact* sur
         warning.key = "contact.stiffness";
         warning.location = scene_.contact.stiffness.location;
         warning.problem = "of " + number_text(least, 3) + " Pa/m";
-        warning.what_to_do =
-            "give flow.largest_speed, if bodies are faster, or a contact.stiffness of " + between(least, "Pa/m");
+        warning.what_to_do = "refine particles.spacing, or give a contact.stiffness of " + between(least, "Pa/m");
         return;
     }
     warning.key = "contact.strength";

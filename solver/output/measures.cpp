@@ -21,8 +21,11 @@ namespace {
 
 bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
     if (!is_of_elastic_part(measure.kind)) return true;
-    const Part* part = scene.part_named(measure.part);
-    return part == nullptr || *part->enabled;  // what is no part is a [[solidify]]
+    const auto is_there = [&](const std::string& name) {
+        const Part* part = scene.part_named(name);
+        return part == nullptr || *part->enabled;  // what is no part is a [[solidify]]
+    };
+    return is_there(measure.part) && is_there(measure.against);
 }
 
 /// A region that never holds fluid is a slip of the pen.

@@ -367,6 +367,11 @@ RunSummary FluidRun::summary() const {
     summary.chambers = fluid_.reference().chamber_drifts();
     if (const auto opened = voids_.warning()) summary.warnings.push_back(*opened);
     if (const auto passed = penetration_.warning(fluid_.surface_contact())) summary.warnings.push_back(*passed);
+    if (const int steps = fluid_.unsolved_contacts(); steps > 0)
+        summary.warnings.push_back(
+            {"contact.between", scene_.contact.between.location,
+             "is surfaces, and in " + std::to_string(steps) + " steps their forces were not found to 1e-6 spacings",
+             "look at the solids where they touch; lower numerics.step_factor"});
     std::ranges::move(chamber_warnings(), std::back_inserter(summary.warnings));
     if (const auto drift = drift_warning(summary.density_drift)) summary.warnings.push_back(*drift);
     summary.lost = static_cast<std::size_t>(

@@ -29,7 +29,7 @@ void FluidStep::touch(double t, double dt) {
             case ContactStepping::at_end:
                 may_touch_ = surface_contact_->may_touch(springs_, walls_, t, dt);
                 if (!may_touch_ || viscosity_) break;
-                ContactSolve(springs_, *surface_contact_, particles_, dt).solve();
+                if (!ContactSolve(springs_, *surface_contact_, particles_, dt).solve()) ++unsolved_contacts_;
                 count_contact({Vec::Zero(), surface_contact_->press(springs_)});
                 break;
         }

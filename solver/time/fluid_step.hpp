@@ -67,6 +67,9 @@ class FluidStep {
     /// Null where particles repel each other.
     [[nodiscard]] const SurfaceContact* surface_contact() const { return surface_contact_.get(); }
 
+    /// Steps since the start or the resumption whose contact was not solved to the tolerance.
+    [[nodiscard]] int unsolved_contacts() const { return unsolved_contacts_; }
+
     /// Takes note of how fast the fluid is; for one that starts in motion.
     void take_speed() { largest_speed_ = extremes().largest_speed; }
     /// Takes note of how stiff the contacts of spring bodies are where they were drawn. Neighbours must be up to date.
@@ -160,6 +163,7 @@ class FluidStep {
     std::unique_ptr<SurfaceContact> surface_contact_;
     int contact_parts_ = 1;   ///< of the present step
     bool may_touch_ = false;  ///< in the present step, with implicit contact
+    int unsolved_contacts_ = 0;
     std::optional<SpeciesTransport> species_;
     Driving driving_;
     Neighbours neighbours_;

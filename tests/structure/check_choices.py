@@ -165,7 +165,7 @@ class Forgotten(unittest.TestCase):
                      NOT_HANDLED)
 
     def measure(self, subject=None):
-        headers = replaced(CHOICES, ("    solid_field  // of an elastic solid\n}", "    solid_field, forgotten\n}"),
+        headers = replaced(CHOICES, ("    contact\n}", "    contact, forgotten\n}"),
                            ('"solid_field"}', '"solid_field", "forgotten"}'))
         if subject:
             case = f"case MeasureKind::forgotten: return MeasureSubject::{subject};"
