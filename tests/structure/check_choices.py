@@ -166,7 +166,7 @@ class Forgotten(unittest.TestCase):
 
     def measure(self, subject=None):
         headers = replaced(CHOICES, ("    contact\n}", "    contact, forgotten\n}"),
-                           ('"solid_field"}', '"solid_field", "forgotten"}'))
+                           ('"contact"}', '"contact", "forgotten"}'))
         if subject:
             case = f"case MeasureKind::forgotten: return MeasureSubject::{subject};"
             headers |= replaced("scene/measure_subject.hpp", ("    switch (kind) {", "    switch (kind) {" + case))
