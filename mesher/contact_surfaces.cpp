@@ -90,7 +90,8 @@ class LineWriter {
         for (int k = 0; k < (line.closed ? count : count - 1); ++k) {
             const int next = (k + 1) % count;
             const auto at = [&](int point) -> const Vec& { return line.points[static_cast<std::size_t>(point)]; };
-            if (is_there(at(k), at(next))) set_.contact_lines.push_back({part, first + k, first + next, thickness});
+            if (is_there(at(k), at(next)))
+                set_.contact_pieces.push_back({part, first + k, first + next, ContactPiece::none, thickness});
         }
     }
     void add(int part, const Polyline& line, double thickness) {
@@ -100,7 +101,7 @@ class LineWriter {
     /// How thick the solid is behind each of its pieces from number `first` on: where a line against the outward normal
     /// leaves it.
     void find_thickness(std::size_t first) {
-        std::vector<ContactLine>& pieces = set_.contact_lines;
+        std::vector<ContactPiece>& pieces = set_.contact_pieces;
         const double far = deepest * set_.spacing;
         for (std::size_t k = first; k < pieces.size(); ++k) {
             const Vec along = end(pieces[k]) - start(pieces[k]);
@@ -118,14 +119,14 @@ class LineWriter {
             pieces[k].thickness = nearest;
         }
     }
-    [[nodiscard]] std::size_t pieces() const { return set_.contact_lines.size(); }
+    [[nodiscard]] std::size_t pieces() const { return set_.contact_pieces.size(); }
 
   private:
     static double cross(const Vec& a, const Vec& b) { return a[0] * b[1] - a[1] * b[0]; }
-    [[nodiscard]] const Vec& start(const ContactLine& piece) const {
+    [[nodiscard]] const Vec& start(const ContactPiece& piece) const {
         return set_.contact_points[static_cast<std::size_t>(piece.a)];
     }
-    [[nodiscard]] const Vec& end(const ContactLine& piece) const {
+    [[nodiscard]] const Vec& end(const ContactPiece& piece) const {
         return set_.contact_points[static_cast<std::size_t>(piece.b)];
     }
 

@@ -73,11 +73,11 @@ void add_space(Hash& hash, const ParticleSpace& space) {
     hash.add(space.wall_triangles.size());
     for (const WallTriangle& triangle : space.wall_triangles)
         for (const int number : {triangle.part, triangle.a, triangle.b, triangle.c}) hash.add(number);
-    if (space.contact_lines.empty()) return;  // others keep the fingerprint they had
+    if (space.contact_pieces.empty()) return;  // others keep the fingerprint they had
     hash.add_all(space.contact_points);
-    hash.add(space.contact_lines.size());
-    for (const ContactLine& piece : space.contact_lines) {
-        for (const int number : {piece.part, piece.a, piece.b}) hash.add(number);
+    hash.add(space.contact_pieces.size());
+    for (const ContactPiece& piece : space.contact_pieces) {
+        for (const int number : {piece.part, piece.a, piece.b, piece.c}) hash.add(number);
         hash.add(piece.thickness);
     }
 }

@@ -84,16 +84,17 @@ std::string problem_with_walls(const ParticleSpace& space) {
     }
     for (std::size_t n = 0; n < space.contact_points.size(); ++n)
         if (!space.contact_points[n].allFinite()) return of("contact point", n) + " is not finite";
-    for (std::size_t n = 0; n < space.contact_lines.size(); ++n) {
-        const ContactLine& piece = space.contact_lines[n];
+    for (std::size_t n = 0; n < space.contact_pieces.size(); ++n) {
+        const ContactPiece& piece = space.contact_pieces[n];
         const auto is_no_point = [&](int point) {
             return point < 0 || static_cast<std::size_t>(point) >= space.contact_points.size();
         };
         if (piece.part < 0 || static_cast<std::size_t>(piece.part) >= space.parts.size())
-            return of("contact line", n) + ": its part is not there";
-        if (is_no_point(piece.a) || is_no_point(piece.b))
-            return of("contact line", n) + " has a point that is not there";
-        if (!finite(piece.thickness)) return of("contact line", n) + ": its thickness is not finite";
+            return of("contact piece", n) + ": its part is not there";
+        const bool is_line = space.dimension == 2 && piece.c == ContactPiece::none;
+        if (is_no_point(piece.a) || is_no_point(piece.b) || (!is_line && is_no_point(piece.c)))
+            return of("contact piece", n) + " has a point that is not there";
+        if (!finite(piece.thickness)) return of("contact piece", n) + ": its thickness is not finite";
     }
     for (std::size_t n = 0; n < space.wall_corners.size(); ++n)
         if (!space.wall_corners[n].allFinite()) return of("wall corner", n) + " is not finite";
@@ -203,14 +204,15 @@ void write_walls(Hdf5Writer& to, const ParticleSpace& space) {
         to.set_attribute("wall_planes/point", "unit", "m");
         to.set_attribute("wall_planes/normal", "unit", "1");
     }
-    if (!space.contact_lines.empty()) {
-        to.write_array<double>("contact_lines/points", flat(space.contact_points));
-        to.write_array<std::int32_t>("contact_lines/part", column(space.contact_lines, &ContactLine::part));
-        to.write_array<std::int32_t>("contact_lines/a", column(space.contact_lines, &ContactLine::a));
-        to.write_array<std::int32_t>("contact_lines/b", column(space.contact_lines, &ContactLine::b));
-        to.write_array<double>("contact_lines/thickness", column(space.contact_lines, &ContactLine::thickness));
-        to.set_attribute("contact_lines/points", "unit", "m");
-        to.set_attribute("contact_lines/thickness", "unit", "m");
+    if (!space.contact_pieces.empty()) {
+        to.write_array<double>("contact_pieces/points", flat(space.contact_points));
+        to.write_array<std::int32_t>("contact_pieces/part", column(space.contact_pieces, &ContactPiece::part));
+        to.write_array<std::int32_t>("contact_pieces/a", column(space.contact_pieces, &ContactPiece::a));
+        to.write_array<std::int32_t>("contact_pieces/b", column(space.contact_pieces, &ContactPiece::b));
+        to.write_array<std::int32_t>("contact_pieces/c", column(space.contact_pieces, &ContactPiece::c));
+        to.write_array<double>("contact_pieces/thickness", column(space.contact_pieces, &ContactPiece::thickness));
+        to.set_attribute("contact_pieces/points", "unit", "m");
+        to.set_attribute("contact_pieces/thickness", "unit", "m");
     }
     if (space.wall_triangles.empty()) return;
     to.write_array<double>("wall_triangles/corners", flat(space.wall_corners));
@@ -357,13 +359,14 @@ void read_walls(const Hdf5Reader& from, ParticleSpace& space) {
             space.wall_planes[n].normal = normals[n];
         }
     }
-    if (from.has("contact_lines/a")) {
-        space.contact_points = read_vectors(from, "contact_lines/points");
-        space.contact_lines.resize(from.length("contact_lines/a"));
-        read_column<std::int32_t>(from, "contact_lines/part", space.contact_lines, &ContactLine::part);
-        read_column<std::int32_t>(from, "contact_lines/a", space.contact_lines, &ContactLine::a);
-        read_column<std::int32_t>(from, "contact_lines/b", space.contact_lines, &ContactLine::b);
-        read_column<double>(from, "contact_lines/thickness", space.contact_lines, &ContactLine::thickness);
+    if (from.has("contact_pieces/a")) {
+        space.contact_points = read_vectors(from, "contact_pieces/points");
+        space.contact_pieces.resize(from.length("contact_pieces/a"));
+        read_column<std::int32_t>(from, "contact_pieces/part", space.contact_pieces, &ContactPiece::part);
+        read_column<std::int32_t>(from, "contact_pieces/a", space.contact_pieces, &ContactPiece::a);
+        read_column<std::int32_t>(from, "contact_pieces/b", space.contact_pieces, &ContactPiece::b);
+        read_column<std::int32_t>(from, "contact_pieces/c", space.contact_pieces, &ContactPiece::c);
+        read_column<double>(from, "contact_pieces/thickness", space.contact_pieces, &ContactPiece::thickness);
     }
     if (!from.has("wall_triangles/a")) return;
     space.wall_corners = read_vectors(from, "wall_triangles/corners");

@@ -80,11 +80,14 @@ struct WallTriangle {
     int a = 0, b = 0, c = 0;
 };
 
-/// A straight piece of the drawn surface of a part that touches others, from one point to another with the solid on
-/// its left (2-D).
-struct ContactLine {
+/// A piece of the drawn surface of a part that touches others: in 2-D a straight line from a to b with the solid on its
+/// left, in 3-D a triangle, counter-clockwise seen from outside the solid.
+struct ContactPiece {
+    static constexpr int none = -1;
+
     int part = 0;          ///< index into parts
     int a = 0, b = 0;      ///< indices into contact_points
+    int c = none;          ///< likewise, of a triangle
     double thickness = 0;  ///< of the solid behind it, as far as contact looks [m]
 };
 
@@ -110,7 +113,7 @@ struct ParticleSpace {
 
     // surfaces of elastic bodies and of the walls they may touch; none where contact is between particles
     std::vector<Vec> contact_points;  ///< each once, as drawn [m]
-    std::vector<ContactLine> contact_lines;
+    std::vector<ContactPiece> contact_pieces;
 
     /// The number of the part of that name; -1 where there is none.
     [[nodiscard]] int part_named(const std::string& name) const;

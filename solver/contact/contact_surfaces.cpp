@@ -26,9 +26,9 @@ struct Neighbours {
 
     explicit Neighbours(const ParticleSpace& space)
         : before(space.contact_points.size(), -1), after(space.contact_points.size(), -1) {
-        for (std::size_t k = 0; k < space.contact_lines.size(); ++k) {
-            after[static_cast<std::size_t>(space.contact_lines[k].a)] = static_cast<int>(k);
-            before[static_cast<std::size_t>(space.contact_lines[k].b)] = static_cast<int>(k);
+        for (std::size_t k = 0; k < space.contact_pieces.size(); ++k) {
+            after[static_cast<std::size_t>(space.contact_pieces[k].a)] = static_cast<int>(k);
+            before[static_cast<std::size_t>(space.contact_pieces[k].b)] = static_cast<int>(k);
         }
     }
 };
@@ -46,7 +46,7 @@ ContactSurfaces::ContactSurfaces(const ParticleSet& set, const SpringBodies& bod
 /// two corners (or straight points) the line is a piece.
 void ContactSurfaces::make_pieces(const ParticleSet& set) {
     const Neighbours lines(set);
-    const auto line = [&](int k) -> const ContactLine& { return set.contact_lines[static_cast<std::size_t>(k)]; };
+    const auto line = [&](int k) -> const ContactPiece& { return set.contact_pieces[static_cast<std::size_t>(k)]; };
     const auto is_smooth = [&](int point) {
         const int before = lines.before[static_cast<std::size_t>(point)],
                   after = lines.after[static_cast<std::size_t>(point)];
@@ -69,12 +69,12 @@ void ContactSurfaces::make_pieces(const ParticleSet& set) {
             for (const auto& [of, share] : control_of(point)) both.emplace_back(of, 0.5 * share);
         return both;
     };
-    for (std::size_t k = 0; k < set.contact_lines.size(); ++k) {
-        const auto& [part, a, b, thickness] = set.contact_lines[k];
+    for (std::size_t k = 0; k < set.contact_pieces.size(); ++k) {
+        const auto& [part, a, b, c, thickness] = set.contact_pieces[k];
         if (!is_smooth(a) && !is_smooth(b))
             add_piece(set, part, thickness, {control_of(a), middle(a, b), control_of(b)});
         if (!is_smooth(b)) continue;
-        const ContactLine& next = line(lines.after[static_cast<std::size_t>(b)]);
+        const ContactPiece& next = line(lines.after[static_cast<std::size_t>(b)]);
         add_piece(set, part, std::min(thickness, next.thickness),
                   {is_smooth(a) ? middle(a, b) : control_of(a), control_of(b),
                    is_smooth(next.b) ? middle(b, next.b) : control_of(next.b)});
@@ -147,7 +147,7 @@ void ContactSurfaces::find_particles(const ParticleSet& set) {
     const double reach = carried_from * set.spacing;
     const CellGrid grid(places, ids.size(), set.dimension, reach);
     particles_near_.resize(points_.size());
-    for (const ContactLine& piece : set.contact_lines)
+    for (const ContactPiece& piece : set.contact_pieces)
         for (const int point : {piece.a, piece.b}) {
             std::vector<int>& near = particles_near_[static_cast<std::size_t>(point)];
             const Vec& at = points_[static_cast<std::size_t>(point)];

@@ -156,12 +156,12 @@ bool touches_as_surfaces(const Scene& scene, const ParticleSet& set) {
     const auto& contact = scene.contact;
     const bool wants_surfaces =
         contact.between.given() || contact.friction > 0 || contact.damping > 0 || contact.stiffness > 0;
-    if (wants_surfaces && set.contact_lines.empty())
+    if (wants_surfaces && set.contact_pieces.empty())
         throw InputError(first_known(scene, {&contact.between.location, &contact.friction.location,
                                              &contact.damping.location, &contact.stiffness.location}),
                          "contact is to be between surfaces, and the particles come without them",
                          "mesh them from a geometry, or write between = \"particles\"");
-    return !set.contact_lines.empty();
+    return !set.contact_pieces.empty();
 }
 
 PairSettings pair_settings(const Scene& scene, const ParticleSet& set, const Resources& resources) {

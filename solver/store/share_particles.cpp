@@ -41,7 +41,7 @@ void share_walls(ParticleSpace& space, const Ranks& ranks) {
     share(space.wall_corners, ranks);
     ranks.broadcast(space.wall_triangles);
     share(space.contact_points, ranks);
-    ranks.broadcast(space.contact_lines);
+    ranks.broadcast(space.contact_pieces);
 }
 
 void share_space(ParticleSpace& space, const Ranks& ranks) {

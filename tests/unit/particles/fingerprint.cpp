@@ -74,12 +74,15 @@ TEST(Fingerprint, DependsOnAllThatAGeometryGives) {
         [](ParticleSet& set) { set.wall_planes = {{}}; },
         [](ParticleSet& set) { set.wall_corners = {Vec::Zero()}; },
         [](ParticleSet& set) { set.wall_triangles = {{}}; },
-        [](ParticleSet& set) { set.contact_lines = {{}}; },
+        [](ParticleSet& set) { set.contact_pieces = {{}}; },
         [](ParticleSet& set) {
-            set.contact_lines = {{0, 0, 0, 0.5}};
+            set.contact_pieces = {{0, 0, 0, ContactPiece::none, 0.5}};
         },
         [](ParticleSet& set) {
-            set.contact_lines = {{}};
+            set.contact_pieces = {{0, 0, 0, 0, 0}};
+        },
+        [](ParticleSet& set) {
+            set.contact_pieces = {{}};
             set.contact_points = {Vec::Zero()};
         }};
     std::set<std::string> seen{fingerprint(two_particles())};

@@ -149,19 +149,20 @@ TEST_F(ParticleFile, GivesSpheresAndTheirWallsBack) {
 TEST_F(ParticleFile, GivesTheSurfacesThatTouchBackAndRefusesThoseThatAreNone) {
     ParticleSet written = some_spheres();
     written.contact_points = {Vec(1, 2, 0), Vec(3, 4, 0), Vec(5, 6, 0)};
-    written.contact_lines = {{1, 0, 1, 0.25}, {1, 1, 2, 0.5}};
+    written.contact_pieces = {{1, 0, 1, ContactPiece::none, 0.25}, {1, 1, 2, 0, 0.5}};
     write_particles(file_, written);
     const ParticleSet read = read_particles(file_);
     EXPECT_EQ(read.contact_points, written.contact_points);
-    ASSERT_EQ(read.contact_lines.size(), 2U);
-    EXPECT_EQ(read.contact_lines[1].part, 1);
-    EXPECT_EQ(read.contact_lines[1].a, 1);
-    EXPECT_EQ(read.contact_lines[1].b, 2);
-    EXPECT_EQ(read.contact_lines[1].thickness, 0.5);
-    written.contact_lines[0].b = 3;
+    ASSERT_EQ(read.contact_pieces.size(), 2U);
+    EXPECT_EQ(read.contact_pieces[1].part, 1);
+    EXPECT_EQ(read.contact_pieces[1].a, 1);
+    EXPECT_EQ(read.contact_pieces[1].b, 2);
+    EXPECT_EQ(read.contact_pieces[1].c, 0);
+    EXPECT_EQ(read.contact_pieces[1].thickness, 0.5);
+    written.contact_pieces[0].b = 3;
     EXPECT_THAT(text_thrown<std::invalid_argument>([&] { write_particles(file_, written); }),
-                HasSubstr("contact line 0 has a point that is not there"));
-    written.contact_lines[0] = {9, 0, 1, 0.25};
+                HasSubstr("contact piece 0 has a point that is not there"));
+    written.contact_pieces[0] = {9, 0, 1, 2, 0.25};
     EXPECT_THAT(text_thrown<std::invalid_argument>([&] { write_particles(file_, written); }),
                 HasSubstr("its part is not there"));
 }
