@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "base/errors.hpp"
 #include "base/length_text.hpp"
@@ -14,126 +13,115 @@ namespace dmp::solver {
 
 namespace {
 
-/// A point where the surface turns by more is a corner; by less it is straight there [rad].
-constexpr double corner_angle = 30 * std::numbers::pi / 180, straight_angle = 1e-4;
 /// Particles that carry a point are within this distance of it [spacings], and not more than so many.
 constexpr double carried_from = 2.5;
-constexpr std::size_t most_carriers = 8;
+constexpr std::size_t most_carriers_in_plane = 8, most_carriers_in_space = 24;
 
-/// The drawn pieces before and after each point; -1: none.
-struct Neighbours {
-    std::vector<int> before, after;
-
-    explicit Neighbours(const ParticleSpace& space)
-        : before(space.contact_points.size(), -1), after(space.contact_points.size(), -1) {
-        for (std::size_t k = 0; k < space.contact_pieces.size(); ++k) {
-            after[static_cast<std::size_t>(space.contact_pieces[k].a)] = static_cast<int>(k);
-            before[static_cast<std::size_t>(space.contact_pieces[k].b)] = static_cast<int>(k);
-        }
-    }
-};
+bool is_wall(const ParticleSpace& space, int part) {
+    return space.parts[static_cast<std::size_t>(part)].kind == PartKind::rigid;
+}
 
 }  // namespace
 
 ContactSurfaces::ContactSurfaces(const ParticleSet& set, const SpringBodies& bodies)
-    : space_(static_cast<const ParticleSpace&>(set)), points_(set.contact_points) {
-    make_pieces(set);
+    : space_(static_cast<const ParticleSpace&>(set)) {
+    DrawnSurfaces drawn = set.dimension == 2 ? draw_curves(space_) : draw_triangles(space_);
+    corners_ = drawn.corners;
+    controls_ = std::move(drawn.controls);
+    is_end_ = std::move(drawn.is_end);
+    for (const DrawnSurfaces::OfPoints& control : controls_) {
+        control_at_rest_.emplace_back(Vec::Zero());
+        for (const auto& [point, share] : control)
+            control_at_rest_.back() += share * space_.contact_points[static_cast<std::size_t>(point)];
+    }
+    for (const DrawnSurfaces::Piece& from : drawn.pieces) {
+        Piece& piece = pieces_.emplace_back();
+        piece.part = from.part;
+        piece.is_wall = is_wall(space_, from.part);
+        piece.thickness = from.thickness;
+        piece.control = from.control;
+        piece.at_rest.corners = corners_;
+        for (std::size_t k = 0; k < piece.at_rest.controls(); ++k)
+            piece.at_rest.control[k] = control_at_rest_[static_cast<std::size_t>(piece.control[k])];
+        for (std::size_t k = 0; k < corners_; ++k)
+            piece.of_corners[k] = drawn.is_sharp[static_cast<std::size_t>(piece.control[k])] ? 0 : 1;
+        for (std::size_t p = 0; p < points().size(); ++p)
+            piece.weight[p] = points()[p].weight * piece.at_rest.measure(points()[p].place);
+        piece.now = piece.at_rest;
+    }
     find_particles(set);
+    find_pieces_at_controls();
     find_bodies(bodies);
 }
 
-/// A smooth point has a piece around it, from the middle of the line before to the middle of the line after; between
-/// two corners (or straight points) the line is a piece.
-void ContactSurfaces::make_pieces(const ParticleSet& set) {
-    const Neighbours lines(set);
-    const auto line = [&](int k) -> const ContactPiece& { return set.contact_pieces[static_cast<std::size_t>(k)]; };
-    const auto is_smooth = [&](int point) {
-        const int before = lines.before[static_cast<std::size_t>(point)],
-                  after = lines.after[static_cast<std::size_t>(point)];
-        if (before < 0 || after < 0) return false;
-        const Vec in = points_[static_cast<std::size_t>(point)] - points_[static_cast<std::size_t>(line(before).a)];
-        const Vec out = points_[static_cast<std::size_t>(line(after).b)] - points_[static_cast<std::size_t>(point)];
-        const double turn = std::abs(std::atan2(in[0] * out[1] - in[1] * out[0], in.dot(out)));
-        return turn > straight_angle && turn < corner_angle;
-    };
-    // So that the curve goes through the drawn points.
-    const auto control_of = [&](int point) -> OfPoints {
-        if (!is_smooth(point)) return {{point, 1.0}};
-        return {{point, 1.25},
-                {line(lines.before[static_cast<std::size_t>(point)]).a, -0.125},
-                {line(lines.after[static_cast<std::size_t>(point)]).b, -0.125}};
-    };
-    const auto middle = [&](int a, int b) {
-        OfPoints both;
-        for (const int point : {a, b})
-            for (const auto& [of, share] : control_of(point)) both.emplace_back(of, 0.5 * share);
-        return both;
-    };
-    for (std::size_t k = 0; k < set.contact_pieces.size(); ++k) {
-        const auto& [part, a, b, c, thickness] = set.contact_pieces[k];
-        if (!is_smooth(a) && !is_smooth(b))
-            add_piece(set, part, thickness, {control_of(a), middle(a, b), control_of(b)});
-        if (!is_smooth(b)) continue;
-        const ContactPiece& next = line(lines.after[static_cast<std::size_t>(b)]);
-        add_piece(set, part, std::min(thickness, next.thickness),
-                  {is_smooth(a) ? middle(a, b) : control_of(a), control_of(b),
-                   is_smooth(next.b) ? middle(b, next.b) : control_of(next.b)});
-    }
-    const auto sticks_out = [&](int point) {
-        const int before = lines.before[static_cast<std::size_t>(point)],
-                  after = lines.after[static_cast<std::size_t>(point)];
-        if (before < 0 || after < 0) return false;
-        const Vec in = points_[static_cast<std::size_t>(point)] - points_[static_cast<std::size_t>(line(before).a)];
-        const Vec out = points_[static_cast<std::size_t>(line(after).b)] - points_[static_cast<std::size_t>(point)];
-        return std::atan2(in[0] * out[1] - in[1] * out[0], in.dot(out)) >= corner_angle;
-    };
-    for (std::size_t k = 0; k < pieces_.size(); ++k)
-        for (const std::size_t end : {0U, 1U}) {
-            const OfPoints& control = drawn_[k].control[2 * end];
-            pieces_[k].is_sharp[end] = control.size() == 1 && sticks_out(control.front().first);
+void ContactSurfaces::find_pieces_at_controls() {
+    // The middle control point of a curve is none that it meets others at.
+    const std::size_t shared = corners_ == 2 ? 2 : SurfacePiece::most_controls;
+    first_piece_at_.assign(controls_.size() + 1, 0);
+    for (const Piece& piece : pieces_)
+        for (std::size_t k = 0; k < shared; ++k) ++first_piece_at_[static_cast<std::size_t>(piece.control[k]) + 1];
+    for (std::size_t c = 0; c < controls_.size(); ++c) first_piece_at_[c + 1] += first_piece_at_[c];
+    pieces_at_.resize(first_piece_at_.back());
+    std::vector<std::size_t> next = first_piece_at_;
+    for (std::size_t n = 0; n < pieces_.size(); ++n)
+        for (std::size_t k = 0; k < shared; ++k)
+            pieces_at_[next[static_cast<std::size_t>(pieces_[n].control[k])]++] = static_cast<int>(n);
+}
+
+int ContactSurfaces::control_at(const Piece& piece, const PiecePlace& place) const {
+    std::size_t corner = 0, zeros = 0, without = 0;
+    for (std::size_t k = 0; k < corners_; ++k) {
+        if (place[k] != 0) {
+            corner = k;
+        } else {
+            ++zeros;
+            without = k;
         }
-    // Pieces follow each other where they begin and end as the same shares of points.
-    std::map<OfPoints, int> beginning;
-    const auto key = [](OfPoints of) {
-        std::ranges::sort(of);
-        return of;
-    };
-    for (std::size_t k = 0; k < pieces_.size(); ++k) beginning[key(drawn_[k].control[0])] = static_cast<int>(k);
-    for (std::size_t k = 0; k < pieces_.size(); ++k) {
-        const auto next = beginning.find(key(drawn_[k].control[2]));
-        if (next == beginning.end() || next->second == static_cast<int>(k)) continue;
-        pieces_[k].next = next->second;
-        pieces_[static_cast<std::size_t>(next->second)].previous = static_cast<int>(k);
     }
+    if (zeros == 0) return -1;
+    return zeros + 1 == corners_ ? piece.control[corner] : piece.control[corners_ + (without + 1) % corners_];
 }
 
-void ContactSurfaces::add_piece(const ParticleSet& set, int part, double thickness,
-                                const std::array<OfPoints, 3>& control) {
-    Piece piece;
-    piece.part = part;
-    piece.is_wall = set.parts[static_cast<std::size_t>(part)].kind == PartKind::rigid;
-    piece.thickness = thickness;
-    for (std::size_t k = 0; k < control.size(); ++k) {
-        piece.at_rest.control[k] = Vec::Zero();
-        for (const auto& [point, share] : control[k])
-            piece.at_rest.control[k] += share * points_[static_cast<std::size_t>(point)];
+Vec ContactSurfaces::normal_at_border(int number, const PiecePlace& place) const {
+    const Piece& piece = pieces_[static_cast<std::size_t>(number)];
+    const int control = control_at(piece, place);
+    if (control < 0) return piece.now.normal(place);
+    Vec sum = Vec::Zero();
+    for (std::size_t k = first_piece_at_[static_cast<std::size_t>(control)];
+         k < first_piece_at_[static_cast<std::size_t>(control) + 1]; ++k) {
+        const Piece& other = pieces_[static_cast<std::size_t>(pieces_at_[k])];
+        PiecePlace there{};
+        for (std::size_t a = 0; a < corners_; ++a)
+            for (std::size_t b = 0; b < corners_; ++b)
+                if (other.control[b] == piece.control[a]) there[b] = place[a];
+        sum += other.now.normal(there);
     }
-    for (std::size_t k = 0; k < points_of_piece; ++k)
-        piece.weight[k] = gauss_weights[k] * piece.at_rest.tangent(gauss_points[k]).norm();
-    piece.now = piece.at_rest;
-    pieces_.push_back(piece);
-    drawn_.push_back({control});
+    return sum;
 }
 
-ContactSurfaces::Weight ContactSurfaces::weight(const Piece& piece, double t) {
+bool ContactSurfaces::is_end(int number, const PiecePlace& place) const {
+    const int control = control_at(pieces_[static_cast<std::size_t>(number)], place);
+    return control >= 0 && is_end_[static_cast<std::size_t>(control)];
+}
+
+ContactSurfaces::Weight ContactSurfaces::weight(const Piece& piece, const PiecePlace& place) {
     constexpr double least = 1e-3;
-    const auto [start, end] = piece.is_sharp;
-    if (!start && !end) return {1, 0};
-    // Smooth from 0 at the corner to 1 at the other end, or in the middle.
-    const double scale = start && end ? 2 : 1;
-    const bool from_start = start && (!end || t < 0.5);
-    const double x = scale * (from_start ? t : 1 - t), slope = (from_start ? scale : -scale) * 6 * x * (1 - x);
-    return {least + (1 - least) * x * x * (3 - 2 * x), (1 - least) * slope / piece.now.tangent(t).norm()};
+    const std::size_t corners = piece.now.corners;
+    const auto of_corners = std::span(piece.of_corners).first(corners);
+    const auto sharp = static_cast<std::size_t>(std::ranges::count(of_corners, 0));
+    if (sharp == 0) return {1, Vec::Zero()};
+    // Smooth from 0 at sharp corners to 1 at others, or in the middle.
+    std::array<double, 3> values = piece.of_corners;
+    if (sharp == corners) {
+        values = {};
+        const auto nearest = std::min_element(place.begin(), place.begin() + static_cast<std::ptrdiff_t>(corners));
+        values[static_cast<std::size_t>(nearest - place.begin())] = static_cast<double>(corners);
+    }
+    double x = 0;
+    for (std::size_t k = 0; k < corners; ++k) x += place[k] * values[k];
+    x = std::min(x, 1.0);
+    return {least + (1 - least) * x * x * (3 - 2 * x),
+            (1 - least) * 6 * x * (1 - x) * piece.now.gradient(place, values)};
 }
 
 void ContactSurfaces::find_particles(const ParticleSet& set) {
@@ -145,110 +133,118 @@ void ContactSurfaces::find_particles(const ParticleSet& set) {
         for (int axis = 0; axis < set.dimension; ++axis) places[axis].push_back(set.position[i][axis]);
     }
     const double reach = carried_from * set.spacing;
+    const std::size_t most = set.dimension == 2 ? most_carriers_in_plane : most_carriers_in_space;
     const CellGrid grid(places, ids.size(), set.dimension, reach);
-    particles_near_.resize(points_.size());
+    particles_near_.resize(space_.contact_points.size());
+    const auto find = [&](int point, int part) {
+        std::vector<int>& near = particles_near_[static_cast<std::size_t>(point)];
+        const Vec& at = space_.contact_points[static_cast<std::size_t>(point)];
+        if (!near.empty()) return;
+        std::vector<std::pair<double, int>> found;
+        const auto look = [&](const Vec& from) {
+            grid.for_each_near({from[0], from[1], from[2]}, reach, [&](int k) {
+                const auto id = static_cast<std::size_t>(ids[static_cast<std::size_t>(k)]);
+                if (set.part[id] != part) return;
+                const double distance = nearest_image(set.position[id] - at, set).norm();
+                if (distance < reach) found.emplace_back(distance, static_cast<int>(id));
+            });
+        };
+        look(at);
+        for (int axis = 0; axis < set.dimension; ++axis)
+            for (const double period : {-set.box.extent()[axis], set.box.extent()[axis]})
+                if (set.periodic[static_cast<std::size_t>(axis)]) look(at + period * Vec::Unit(axis));
+        std::ranges::sort(found);
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+        if (found.size() > most) found.resize(most);
+        for (const auto& [distance, id] : found) near.push_back(id);
+        if (near.empty() && !is_wall(space_, part))
+            throw InputError("the surface of '" + set.parts[static_cast<std::size_t>(part)].name + "' at " +
+                                 position_text(at, set.dimension) + " has none of its particles near",
+                             "refine particles.spacing, or write [contact] between = \"particles\"");
+    };
     for (const ContactPiece& piece : set.contact_pieces)
-        for (const int point : {piece.a, piece.b}) {
-            std::vector<int>& near = particles_near_[static_cast<std::size_t>(point)];
-            const Vec& at = points_[static_cast<std::size_t>(point)];
-            if (!near.empty()) continue;
-            std::vector<std::pair<double, int>> found;
-            const auto look = [&](const Vec& from) {
-                grid.for_each_near({from[0], from[1], from[2]}, reach, [&](int k) {
-                    const auto id = static_cast<std::size_t>(ids[static_cast<std::size_t>(k)]);
-                    const double distance = nearest_image(set.position[id] - at, set).norm();
-                    if (set.part[id] == piece.part && distance < reach)
-                        found.emplace_back(distance, static_cast<int>(id));
-                });
-            };
-            look(at);
-            for (int axis = 0; axis < set.dimension; ++axis)
-                for (const double period : {-set.box.extent()[axis], set.box.extent()[axis]})
-                    if (set.periodic[static_cast<std::size_t>(axis)]) look(at + period * Vec::Unit(axis));
-            std::ranges::sort(found);
-            found.erase(std::unique(found.begin(), found.end()), found.end());
-            if (found.size() > most_carriers) found.resize(most_carriers);
-            for (const auto& [distance, id] : found) near.push_back(id);
-            if (near.empty() && set.parts[static_cast<std::size_t>(piece.part)].kind == PartKind::elastic)
-                throw InputError("the surface of '" + set.parts[static_cast<std::size_t>(piece.part)].name + "' at " +
-                                     position_text(at, 2) + " has none of its particles near",
-                                 "refine particles.spacing, or write [contact] between = \"particles\"");
-        }
-    for (std::size_t k = 0; k < pieces_.size(); ++k) {
-        const std::vector<int>& near = particles_near_[static_cast<std::size_t>(drawn_[k].control[1].front().first)];
-        if (pieces_[k].is_wall && !near.empty()) pieces_[k].wall_particle = near.front();
-        pieces_[k].solid = pieces_[k].is_wall || near.empty() ? -2 - pieces_[k].part
-                                                              : set.body[static_cast<std::size_t>(near.front())];
+        for (const int point : {piece.a, piece.b, piece.c})
+            if (point != ContactPiece::none) find(point, piece.part);
+    for (Piece& piece : pieces_) {
+        const auto& middle = controls_[static_cast<std::size_t>(piece.control[piece.now.controls() - 1])];
+        const std::vector<int>& near = particles_near_[static_cast<std::size_t>(middle.front().first)];
+        if (piece.is_wall && !near.empty()) piece.wall_particle = near.front();
+        piece.solid =
+            piece.is_wall || near.empty() ? -2 - piece.part : set.body[static_cast<std::size_t>(near.front())];
     }
 }
 
 void ContactSurfaces::find_bodies(const SpringBodies& bodies) {
     first_unknown_.assign(1, 0);
-    std::map<const SpringBody*, std::size_t> number;
+    std::map<const SpringBody*, int> number;
     for (const auto& body : bodies.bodies()) {
-        number[body.get()] = first_unknown_.size() - 1;
+        number[body.get()] = static_cast<int>(first_unknown_.size()) - 1;
         first_unknown_.push_back(first_unknown_.back() + body->unknowns());
     }
     struct OfPoint {
-        const SpringBody* body = nullptr;
+        int body = no_body;
         CarriedPoint carried;
     };
-    std::vector<OfPoint> carried(points_.size());
-    for (std::size_t point = 0; point < points_.size(); ++point) {
+    std::vector<OfPoint> carried(space_.contact_points.size());
+    for (std::size_t point = 0; point < carried.size(); ++point) {
         std::vector<int> nodes;
+        const SpringBody* nearest = nullptr;
         for (const int id : particles_near_[point]) {
             if (!bodies.holds(id)) break;  // a wall's
             const auto [body, node] = bodies.node_of(id);
-            if (carried[point].body == nullptr) carried[point].body = body;
-            if (body == carried[point].body) nodes.push_back(static_cast<int>(node));
+            if (nearest == nullptr) nearest = body;
+            if (body == nearest) nodes.push_back(static_cast<int>(node));
         }
-        if (carried[point].body != nullptr)
-            carried[point].carried = carried[point].body->carry(points_[point], nodes, space_);
+        if (nearest != nullptr)
+            carried[point] = {number.at(nearest), nearest->carry(space_.contact_points[point], nodes, space_)};
     }
     carriers_.clear();
     first_carrier_.assign(1, 0);
-    shift_.assign(pieces_.size(), {Vec::Zero(), Vec::Zero(), Vec::Zero()});
-    for (std::size_t k = 0; k < pieces_.size(); ++k) {
-        Piece& piece = pieces_[k];
-        if (!piece.is_wall) {
-            std::map<int, std::array<double, 3>> shares;
-            const SpringBody* only = nullptr;
-            piece.is_there = true;
-            for (std::size_t c = 0; c < 3; ++c)
-                for (const auto& [point, of_control] : drawn_[k].control[c]) {
-                    const auto& [body, of_point] = carried[static_cast<std::size_t>(point)];
-                    if (only == nullptr) only = body;
-                    piece.is_there = piece.is_there && body == only;
-                    shift_[k][c] += of_control * of_point.shift;
-                    for (const auto& [unknown, share] : of_point.shares)
-                        shares[static_cast<int>(first_unknown_[number.at(body)]) + unknown][c] += of_control * share;
-                }
-            if (piece.is_there)
-                for (const auto& [unknown, share] : shares) carriers_.push_back({unknown, share});
+    body_.assign(controls_.size(), no_body);
+    shift_.assign(controls_.size(), Vec::Zero());
+    std::vector<bool> is_torn(controls_.size(), false);
+    for (std::size_t c = 0; c < controls_.size(); ++c) {
+        std::map<int, double> shares;
+        body_[c] = carried[static_cast<std::size_t>(controls_[c].front().first)].body;
+        for (const auto& [point, of_control] : controls_[c]) {
+            const auto& [body, of_point] = carried[static_cast<std::size_t>(point)];
+            is_torn[c] = is_torn[c] || body != body_[c];
+            shift_[c] += of_control * of_point.shift;
+            for (const auto& [unknown, share] : of_point.shares) shares[unknown] += of_control * share;
         }
+        if (!is_torn[c] && body_[c] != no_body)
+            for (const auto& [unknown, share] : shares)
+                carriers_.push_back(
+                    {static_cast<int>(first_unknown_[static_cast<std::size_t>(body_[c])]) + unknown, share});
         first_carrier_.push_back(carriers_.size());
+    }
+    control_position_ = control_at_rest_;
+    for (Piece& piece : pieces_) {
+        if (piece.is_wall) continue;
+        piece.is_there = true;
+        for (std::size_t k = 0; k < piece.now.controls(); ++k) {
+            const auto c = static_cast<std::size_t>(piece.control[k]);
+            piece.is_there = piece.is_there && !is_torn[c] && body_[c] == body_of(piece.control[0]);
+        }
     }
 }
 
 void ContactSurfaces::place(std::span<const Vec> position, const WallMotion* walls, int threads) {
-    const auto count = static_cast<std::ptrdiff_t>(pieces_.size());
+    const bool walls_move = walls != nullptr && walls->moves();
+    const auto controls = static_cast<std::ptrdiff_t>(controls_.size());
 #pragma omp parallel for num_threads(threads) schedule(static)
-    for (std::ptrdiff_t k = 0; k < count; ++k) {
-        const auto at = static_cast<std::size_t>(k);
-        Piece& piece = pieces_[at];
-        if (!piece.is_there) continue;
-        if (piece.is_wall) {
-            if (walls == nullptr || !walls->moves()) continue;
-            for (std::size_t c = 0; c < 3; ++c)
-                piece.now.control[c] = walls->carried(static_cast<std::uint16_t>(piece.part), piece.at_rest.control[c]);
-            continue;
-        }
-        std::array<Vec, 3> control = shift_[at];
-        for_each_control(static_cast<int>(k), [&](const Carrier& carrier) {
-            for (std::size_t c = 0; c < 3; ++c)
-                control[c] += carrier.share[c] * position[static_cast<std::size_t>(carrier.unknown)];
-        });
-        piece.now.control = control;
+    for (std::ptrdiff_t k = 0; k < controls; ++k)
+        if (const auto c = static_cast<std::size_t>(k); body_[c] != no_body)
+            control_position_[c] = shift_[c] + carried(static_cast<int>(k), position);
+    const auto pieces = static_cast<std::ptrdiff_t>(pieces_.size());
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (std::ptrdiff_t k = 0; k < pieces; ++k) {
+        Piece& piece = pieces_[static_cast<std::size_t>(k)];
+        if (!piece.is_there || (piece.is_wall && !walls_move)) continue;
+        for (std::size_t c = 0; c < piece.now.controls(); ++c)
+            piece.now.control[c] =
+                piece.is_wall ? walls->carried(static_cast<std::uint16_t>(piece.part), piece.at_rest.control[c])
+                              : control_position_[static_cast<std::size_t>(piece.control[c])];
     }
 }
 

@@ -2,6 +2,7 @@
 //
 // Contact by the places at the end of the step.
 #include <algorithm>
+#include <tuple>
 
 #include "solver/contact/surface_contact.hpp"
 
@@ -17,35 +18,25 @@ constexpr double of_balance = 0.5;
 bool SurfaceContact::may_touch(const SpringBodies& bodies, const WallMotion& walls, double t, double dt) {
     place(bodies, walls, t, dt);
     find_touches(std::min(farthest_way() + at_rest * space_.spacing, deepest_));
-    for (std::size_t point = 0; point < touches_.size(); ++point)
-        if (touches_[point].gap > 0 && touches_[point].is_one && !meets_soon(point)) {
-            touches_[point].is_one = false;
-            memory_[point] = {};
-        }
-    std::vector<bool> touched(position_.size());
-    bool any = false;
-    for (std::size_t point = 0; point < touches_.size(); ++point) {
-        if (!touches_[point].is_one) continue;
-        any = true;
-        const auto mark = [&](int unknown, double) { touched[index_of(unknown)] = true; };
-        surfaces_.for_each_share(static_cast<int>(point / points_of_piece), 0.5, mark);
-        surfaces_.for_each_share(touches_[point].piece, 0.5, mark);
-    }
-    touched_bodies_.clear();
-    const auto& first = surfaces_.first_unknown();
-    for (std::size_t b = 0; b + 1 < first.size(); ++b)
-        touched_bodies_.push_back(std::find(touched.begin() + static_cast<std::ptrdiff_t>(first[b]),
-                                            touched.begin() + static_cast<std::ptrdiff_t>(first[b + 1]),
-                                            true) != touched.begin() + static_cast<std::ptrdiff_t>(first[b + 1]));
-    return any;
+    find_touched_controls();
+    for (const int control : touched_controls_)
+        control_velocity_[index_of(control)] = surfaces_.carried(control, velocity_);
+    std::erase_if(touches_, [&](const Touch& touch) {
+        if (!(touch.gap > 0) || meets_soon(touch)) return false;
+        memory_[index_of(touch.own, touch.number)] = {};
+        return true;
+    });
+    find_touched_controls();
+    touched_bodies_.assign(surfaces_.first_unknown().size() - 1, false);
+    for (const int control : touched_controls_)
+        if (const int body = surfaces_.body_of(control); body != ContactSurfaces::no_body)
+            touched_bodies_[index_of(body)] = true;
+    return !touches_.empty();
 }
 
 /// Whether a point in front of a surface may meet it in this step, if neither is more than twice as fast there as now.
-bool SurfaceContact::meets_soon(std::size_t point) const {
-    const Touch& touch = touches_[point];
-    const int piece = static_cast<int>(point / points_of_piece);
-    const double speed =
-        velocity_at(piece, gauss_points[point % points_of_piece]).norm() + velocity_at(touch.piece, touch.t).norm();
+bool SurfaceContact::meets_soon(const Touch& touch) const {
+    const double speed = velocity_at(touch.own, place_of(touch)).norm() + velocity_at(touch.other, touch.place).norm();
     return touch.gap < 2 * speed * dt_ + at_rest * space_.spacing;
 }
 
@@ -56,27 +47,32 @@ void SurfaceContact::add_forces_at_end(std::span<const Vec> w, std::span<Vec> fo
         if (inverse_mass_[n] > 0) force[n] += of_balance * force_[n];
 }
 
-void SurfaceContact::add_stiffness_times(std::span<const Vec> values, std::span<Vec> image) const {
-    for (std::size_t point = 0; point < touches_.size(); ++point) {
-        const Touch& touch = touches_[point];
-        if (!touch.is_one || (touch.normal_slope == 0 && touch.tangent_slope == 0)) continue;
-        const int piece = static_cast<int>(point / points_of_piece);
-        const double at = gauss_points[point % points_of_piece];
+void SurfaceContact::add_stiffness_times(std::span<const Vec> values, std::span<Vec> image) {
+    for (const int control : touched_controls_) {
+        control_velocity_[index_of(control)] = surfaces_.carried(control, values);
+        control_force_[index_of(control)] = Vec::Zero();
+    }
+    for (const Touch& touch : touches_) {
+        if (touch.normal_slope == 0 && touch.tangent_slope == 0) continue;
         Vec past = Vec::Zero();
-        surfaces_.for_each_share(piece, at,
-                                 [&](int unknown, double share) { past += share * values[index_of(unknown)]; });
-        surfaces_.for_each_share(touch.piece, touch.t,
-                                 [&](int unknown, double share) { past -= share * values[index_of(unknown)]; });
+        const auto for_each_control = [&](const auto& visit) {
+            for (const auto& [number, place, sign] :
+                 {std::tuple(touch.own, place_of(touch), 1.0), std::tuple(touch.other, touch.place, -1.0)}) {
+                const auto& of = piece(number);
+                if (of.is_wall) continue;
+                const auto shares = of.now.shares(place);
+                for (std::size_t c = 0; c < of.now.controls(); ++c) visit(index_of(of.control[c]), sign * shares[c]);
+            }
+        };
+        for_each_control([&](std::size_t control, double share) { past += share * control_velocity_[control]; });
         const Vec along_normal = past.dot(touch.normal) * touch.normal;
         const Vec held = touch.normal_slope * along_normal + touch.tangent_slope * (past - along_normal);
-        const auto add = [&](double sign) {
-            return [&, sign](int unknown, double share) {
-                if (inverse_mass_[index_of(unknown)] > 0) image[index_of(unknown)] += sign * of_balance * share * held;
-            };
-        };
-        surfaces_.for_each_share(piece, at, add(1));
-        surfaces_.for_each_share(touch.piece, touch.t, add(-1));
+        for_each_control([&](std::size_t control, double share) { control_force_[control] += share * held; });
     }
+    for (const int control : touched_controls_)
+        for (const auto& [unknown, share] : surfaces_.carriers(control))
+            if (inverse_mass_[index_of(unknown)] > 0)
+                image[index_of(unknown)] += of_balance * share * control_force_[index_of(control)];
 }
 
 Vec SurfaceContact::press(SpringBodies& bodies) {

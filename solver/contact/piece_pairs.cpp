@@ -16,11 +16,15 @@ constexpr double skin = 0.4, neighbourhood = 3;
 /// Normals of pieces that face each other have a cosine below this; surfaces turn little within the skin.
 constexpr double may_face = 0.5;
 
-Vec middle(const CurvePiece& piece) { return piece.at(0.5); }
+Vec middle(const SurfacePiece& piece) { return piece.at(piece.middle()); }
 
-double radius(const CurvePiece& piece) {
+Vec normal_of(const SurfacePiece& piece) { return piece.normal(piece.middle()); }
+
+double radius(const SurfacePiece& piece) {
+    const Vec from = middle(piece);
     double square = 0;
-    for (const Vec& control : piece.control) square = std::max(square, (control - middle(piece)).squaredNorm());
+    for (std::size_t c = 0; c < piece.controls(); ++c)
+        square = std::max(square, (piece.control[c] - from).squaredNorm());
     return std::sqrt(square);
 }
 
@@ -31,16 +35,17 @@ bool PiecePairs::moved_far(const ContactSurfaces& surfaces) const {
     if (placed_.size() != pieces.size()) return true;
     const double most = 0.25 * skin * skin * space_.spacing * space_.spacing;
     for (std::size_t k = 0; k < pieces.size(); ++k)
-        for (std::size_t c = 0; c < 3; ++c)
-            if (!((pieces[k].now.control[c] - placed_[k][c]).squaredNorm() < most)) return true;  // also for NaN
+        for (std::size_t c = 0; c < placed_[k].controls(); ++c)
+            if (!((pieces[k].now.control[c] - placed_[k].control[c]).squaredNorm() < most))
+                return true;  // also for NaN
     return false;
 }
 
 double PiecePairs::nearest(const ContactSurfaces& surfaces) const {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k + 1 < first_.size(); ++k) {
-        const auto [low, high] = surfaces.pieces()[k].now.box();
-        for (const Other& other : others(static_cast<int>(k))) {
+    for (const int k : active_) {
+        const auto [low, high] = surfaces.pieces()[static_cast<std::size_t>(k)].now.box();
+        for (const Other& other : others(k)) {
             const auto [other_low, other_high] = surfaces.pieces()[static_cast<std::size_t>(other.piece)].now.box();
             const Vec apart = (low - other_high - other.shift).cwiseMax(other_low + other.shift - high).cwiseMax(0);
             nearest = std::min(nearest, apart.norm());
@@ -53,8 +58,9 @@ void PiecePairs::update(const ContactSurfaces& surfaces) {
     if (!moved_far(surfaces)) return;
     const auto& pieces = surfaces.pieces();
     placed_.clear();
-    for (const auto& piece : pieces) placed_.push_back(piece.now.control);
+    for (const auto& piece : pieces) placed_.push_back(piece.now);
     others_.clear();
+    active_.clear();
     first_.assign(1, 0);
 
     // Middles moved into the box, and their images beyond periodic sides.
@@ -86,7 +92,7 @@ void PiecePairs::update(const ContactSurfaces& surfaces) {
 
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const auto& own = pieces[k];
-        const Vec normal = own.now.normal(0.5);
+        const Vec normal = normal_of(own.now);
         if (own.is_there)
             grid.for_each_near({inside[k][0], inside[k][1], inside[k][2]}, reach, [&](int point) {
                 const auto p = static_cast<std::size_t>(point);
@@ -101,7 +107,7 @@ void PiecePairs::update(const ContactSurfaces& surfaces) {
                 if (!((place - inside[k]).norm() <
                       radius(own.now) + radius(other.now) + deepest_ + skin * space_.spacing))
                     return;
-                if (normal.dot(other.now.normal(0.5)) > may_face) return;
+                if (normal.dot(normal_of(other.now)) > may_face) return;
                 if (own.solid == other.solid) {
                     const Vec apart = nearest_image(middle(own.at_rest) - middle(other.at_rest), space_);
                     if (apart.norm() < neighbourhood * space_.spacing) return;
@@ -116,6 +122,7 @@ void PiecePairs::update(const ContactSurfaces& surfaces) {
             });
         const auto begin = others_.begin() + static_cast<std::ptrdiff_t>(first_.back());
         std::sort(begin, others_.end(), [](const Other& a, const Other& b) { return a.piece < b.piece; });
+        if (others_.size() > first_.back()) active_.push_back(static_cast<int>(k));
         first_.push_back(others_.size());
     }
 }

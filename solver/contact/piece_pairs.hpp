@@ -26,6 +26,8 @@ class PiecePairs {
     void forget() { placed_.clear(); }
     /// At least how far pieces that may touch are from each other; infinite where none may [m].
     [[nodiscard]] double nearest(const ContactSurfaces& surfaces) const;
+    /// Pieces that may touch any, by number.
+    [[nodiscard]] const std::vector<int>& active() const { return active_; }
     /// Those that a piece may touch, by number.
     [[nodiscard]] std::span<const Other> others(int piece) const {
         const auto k = static_cast<std::size_t>(piece);
@@ -37,9 +39,10 @@ class PiecePairs {
 
     const ParticleSpace& space_;
     double deepest_;
-    std::vector<std::array<Vec, 3>> placed_;  ///< the pieces' control points when it last looked
+    std::vector<SurfacePiece> placed_;  ///< the pieces when it last looked
     std::vector<std::size_t> first_;
     std::vector<Other> others_;
+    std::vector<int> active_;
 };
 
 }  // namespace dmp::solver

@@ -1,8 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/surface_contact.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <unordered_map>
 
 #include "solver/state/loaded_groups.hpp"
@@ -41,138 +43,169 @@ double SurfaceContact::farthest_way() const {
     return 4 * fastest * dt_;
 }
 
-double SurfaceContact::stiffness_of(int piece, int other) const {
-    const auto &own = surfaces_.pieces()[index_of(piece)], &met = surfaces_.pieces()[index_of(other)];
+double SurfaceContact::stiffness_of(int number, int other) const {
+    const auto &own = piece(number), &met = piece(other);
     return (own.is_wall || met.is_wall ? at_walls_ : 1) *
            std::min(stiffness_[index_of(own.part)], stiffness_[index_of(met.part)]);
 }
 
-/// The gap of a point before the place t of a piece; `normal` out of it, along the gap.
-double SurfaceContact::gap_at(const Vec& from, int piece, double t, const Vec& shift, Vec& normal) const {
-    const auto& other = surfaces_.pieces()[index_of(piece)];
-    const Vec off = from - (other.now.at(t) + shift);
-    normal = other.now.normal(t);
-    const int beside = t == 0 ? other.previous : t == 1 ? other.next : -1;
-    const bool is_end = t == 0 || t == 1;
-    if (!is_end) return off.dot(normal);
-    // A corner: in front of it is where the mean of the normals beside it points to.
-    Vec mean = normal;
-    if (beside >= 0) mean += surfaces_.pieces()[index_of(beside)].now.normal(t == 0 ? 1 : 0);
-    const double distance = off.norm(), gap = off.dot(mean) < 0 ? -distance : distance;
+/// The gap of a point before a place of a piece; `normal` out of it, along the gap.
+double SurfaceContact::gap_at(const Vec& from, int number, const PiecePlace& place, const Vec& shift,
+                              Vec& normal) const {
+    const SurfacePiece& other = piece(number).now;
+    const Vec off = from - (other.at(place) + shift);
+    normal = other.normal(place);
+    const bool is_inside = std::ranges::all_of(std::span(place).first(other.corners), [](double p) { return p > 0; });
+    if (is_inside) return off.dot(normal);
+    // A corner, or an edge: in front of it is where the mean of the normals around it points to.
+    const double distance = off.norm(),
+                 gap = off.dot(surfaces_.normal_at_border(number, place)) < 0 ? -distance : distance;
     if (distance > 1e-9 * space_.spacing) normal = off / gap;
     return gap;
 }
 
-SurfaceContact::Touch SurfaceContact::touch_of(int piece, std::size_t point, double margin) const {
-    const auto& own = surfaces_.pieces()[index_of(piece)];
-    const std::size_t index = index_of(piece) * points_of_piece + point;
+SurfaceContact::Touch SurfaceContact::touch_of(int number, std::size_t point, double margin) const {
+    const auto& own = piece(number);
+    const std::size_t index = index_of(number, point);
     Touch touch;
-    touch.from = own.now.at(gauss_points[point]);
-    const Vec facing_from = own.now.normal(gauss_points[point]);
+    touch.own = number;
+    touch.number = point;
+    touch.from = own.now.at(place_of(touch));
+    const Vec facing_from = own.now.normal(place_of(touch));
     double nearest = deepest_ * deepest_;
     Vec shift = Vec::Zero();
-    for (const PiecePairs::Other& other : pairs_.others(piece)) {
-        const CurvePiece& curve = surfaces_.pieces()[index_of(other.piece)].now;
-        // Nothing of the curve is nearer than the box around it.
+    for (const PiecePairs::Other& other : pairs_.others(number)) {
+        const SurfacePiece& shape = piece(other.piece).now;
+        // Nothing of the piece is nearer than the box around it.
         const Vec at = touch.from - other.shift;
-        const auto [low, high] = curve.box();
+        const auto [low, high] = shape.box();
         if ((low - at).cwiseMax(at - high).cwiseMax(0).squaredNorm() >= nearest) continue;
-        const double t = curve.nearest(at);
-        const double square = (at - curve.at(t)).squaredNorm();
-        if (square >= nearest || curve.normal(t).dot(facing_from) > most_facing) continue;
+        const PiecePlace place = shape.nearest(at);
+        const double square = (at - shape.at(place)).squaredNorm();
+        if (square >= nearest || shape.normal(place).dot(facing_from) > most_facing) continue;
         nearest = square;
-        touch.piece = other.piece;
-        touch.t = t;
+        touch.other = other.piece;
+        touch.place = place;
         shift = other.shift;
     }
-    if (touch.piece < 0) return touch;
-    const auto& other = surfaces_.pieces()[index_of(touch.piece)];
-    touch.gap = gap_at(touch.from, touch.piece, touch.t, shift, touch.normal);
-    touch.at = other.now.at(touch.t) + shift;
+    if (touch.other < 0) return touch;
+    const auto& other = piece(touch.other);
+    touch.gap = gap_at(touch.from, touch.other, touch.place, shift, touch.normal);
+    touch.at = other.now.at(touch.place) + shift;
     // What a thin body has passed through in one step it is beyond; once it touches, it is followed deeper.
     const bool touched = memory_[index].solid == other.solid;
     const double deepest = touched ? deepest_ : std::min(deepest_, 0.5 * (own.thickness + other.thickness));
     touch.is_apart = touch.gap > 0;
     if (start_[index].solid == other.solid) touch.gap -= start_[index].gap;
     if (-touch.gap > deepest) return touch;
-    // Beyond a corner that sticks out, or an end, there is nothing.
-    const bool is_beyond = (touch.t == 0 && (other.is_sharp[0] || other.previous < 0)) ||
-                           (touch.t == 1 && (other.is_sharp[1] || other.next < 0));
-    touch.is_one = touch.gap < margin && !is_beyond && !(is_held_[index_of(piece)] && is_held_[index_of(touch.piece)]);
-    const double here = ContactSurfaces::weight(own, gauss_points[point]).value;
-    const auto [there, slope] = ContactSurfaces::weight(other, touch.t);
+    touch.is_one = touch.gap < margin && !surfaces_.is_end(touch.other, touch.place) &&
+                   !(is_held_[index_of(number)] && is_held_[index_of(touch.other)]);
+    const double here = ContactSurfaces::weight(own, place_of(touch)).value;
+    const auto [there, slope] = ContactSurfaces::weight(other, touch.place);
     touch.share = there / (here + there);
     touch.share_slope = slope * here / ((here + there) * (here + there));
     return touch;
 }
 
 void SurfaceContact::find_touches(double margin) {
-    const auto count = static_cast<std::ptrdiff_t>(surfaces_.pieces().size());
+    const std::size_t points = surfaces_.points().size();
+    const std::vector<int>& active = pairs_.active();
+    for (const int number : examined_)
+        if (pairs_.others(number).empty())
+            for (std::size_t p = 0; p < points; ++p) {
+                memory_[index_of(number, p)] = {};
+                start_[index_of(number, p)] = {};
+            }
+    examined_ = active;
+    touches_.assign(active.size() * points, Touch{});
+    const auto count = static_cast<std::ptrdiff_t>(active.size());
 #pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
     for (std::ptrdiff_t k = 0; k < count; ++k)
-        for (std::size_t p = 0; p < points_of_piece; ++p) {
-            const std::size_t index = static_cast<std::size_t>(k) * points_of_piece + p;
-            touches_[index] =
-                pairs_.others(static_cast<int>(k)).empty() ? Touch{} : touch_of(static_cast<int>(k), p, margin);
-            const Touch& touch = touches_[index];
-            const int other = touch.piece < 0 ? no_solid : surfaces_.pieces()[index_of(touch.piece)].solid;
+        for (std::size_t p = 0; p < points; ++p) {
+            const int number = active[static_cast<std::size_t>(k)];
+            const std::size_t index = index_of(number, p);
+            const Touch touch = touch_of(number, p, margin);
+            touches_[static_cast<std::size_t>(k) * points + p] = touch;
+            const int other = touch.other < 0 ? no_solid : piece(touch.other).solid;
             // What was drawn into another solid has left it once it is in front of it.
             if (start_[index].solid != other || touch.is_apart) start_[index] = {};
             if (memory_[index].solid != (touch.is_one ? other : no_solid)) memory_[index] = {};
         }
+    std::erase_if(touches_, [](const Touch& touch) { return !touch.is_one; });
+}
+
+void SurfaceContact::find_touched_controls() {
+    touched_controls_.clear();
+    for (const Touch& touch : touches_)
+        for (const int number : {touch.own, touch.other}) {
+            const auto& of = piece(number);
+            if (of.is_wall) continue;
+            for (std::size_t c = 0; c < of.now.controls(); ++c) touched_controls_.push_back(of.control[c]);
+        }
+    std::ranges::sort(touched_controls_);
+    touched_controls_.erase(std::unique(touched_controls_.begin(), touched_controls_.end()), touched_controls_.end());
 }
 
 /// [m/s]
-Vec SurfaceContact::velocity_at(int piece, double t) const {
-    const auto& of = surfaces_.pieces()[index_of(piece)];
-    if (of.is_wall) return walls_->velocity(static_cast<std::uint16_t>(of.part), of.at_rest.at(t), t_);
+Vec SurfaceContact::velocity_at(int number, const PiecePlace& place) const {
+    const auto& of = piece(number);
+    if (of.is_wall) return walls_->velocity(static_cast<std::uint16_t>(of.part), of.at_rest.at(place), t_);
+    const auto shares = of.now.shares(place);
     Vec velocity = Vec::Zero();
-    surfaces_.for_each_share(piece, t,
-                             [&](int unknown, double share) { velocity += share * velocity_[index_of(unknown)]; });
+    for (std::size_t c = 0; c < of.now.controls(); ++c)
+        velocity += shares[c] * control_velocity_[index_of(of.control[c])];
     return velocity;
 }
 
-/// Opposite forces across an arm turn the bodies; the piece takes that at its ends.
-void SurfaceContact::add_couple(int piece, const Vec& arm, const Vec& force) {
-    const auto& control = surfaces_.pieces()[index_of(piece)].now.control;
-    const Vec chord = control[2] - control[0];
-    const double moment = arm[0] * force[1] - arm[1] * force[0];
-    const Vec at_end = -moment / chord.squaredNorm() * Vec(-chord[1], chord[0], 0);
-    surfaces_.for_each_share_of_chord(piece,
-                                      [&](int unknown, double share) { force_[index_of(unknown)] += share * at_end; });
+/// Opposite forces across an arm turn the bodies; the piece takes that at its corners.
+void SurfaceContact::add_couple(int number, const Vec& arm, const Vec& force) {
+    const auto& of = piece(number);
+    if (of.is_wall) return;
+    const auto at_corners = of.now.couple(-arm.cross(force));
+    for (std::size_t c = 0; c < of.now.corners; ++c) control_force_[index_of(of.control[c])] += at_corners[c];
 }
 
-void SurfaceContact::push(int piece, double t, const Vec& force) {
-    if (surfaces_.pieces()[index_of(piece)].is_wall) on_walls_[index_of(piece)] += force;
-    surfaces_.for_each_share(piece, t, [&](int unknown, double share) { force_[index_of(unknown)] += share * force; });
+void SurfaceContact::push(int number, const PiecePlace& place, const Vec& force) {
+    const auto& of = piece(number);
+    if (of.is_wall) {
+        on_walls_[index_of(number)] += force;
+        return;
+    }
+    const auto shares = of.now.shares(place);
+    for (std::size_t c = 0; c < of.now.controls(); ++c) control_force_[index_of(of.control[c])] += shares[c] * force;
 }
 
 void SurfaceContact::find_forces(double ahead, bool remembers) {
     std::ranges::fill(force_, Vec::Zero());
     std::ranges::fill(on_walls_, Vec::Zero());
-    for (std::size_t point = 0; point < touches_.size(); ++point)
-        if (touches_[point].is_one) add_force(point, ahead, remembers);
+    for (const int control : touched_controls_) {
+        control_force_[index_of(control)] = Vec::Zero();
+        control_velocity_[index_of(control)] = surfaces_.carried(control, velocity_);
+    }
+    for (Touch& touch : touches_) add_force(touch, ahead, remembers);
+    for (const int control : touched_controls_)
+        for (const auto& [unknown, share] : surfaces_.carriers(control))
+            force_[index_of(unknown)] += share * control_force_[index_of(control)];
 }
 
-void SurfaceContact::add_force(std::size_t point, double ahead, bool remembers) {
-    Touch& touch = touches_[point];
-    const int piece = static_cast<int>(point / points_of_piece);
-    const auto &own = surfaces_.pieces()[index_of(piece)], &other = surfaces_.pieces()[index_of(touch.piece)];
-    const double at = gauss_points[point % points_of_piece], weight = own.weight[point % points_of_piece];
-    const double stiffness = stiffness_of(piece, touch.piece);
+void SurfaceContact::add_force(Touch& touch, double ahead, bool remembers) {
+    const auto &own = piece(touch.own), &other = piece(touch.other);
+    const PiecePlace& at = place_of(touch);
+    const double weight = own.weight[touch.number];
+    const double stiffness = stiffness_of(touch.own, touch.other);
     const bool touched = touch.gap < 0;  // before this step: friction and dashpot begin after that
 
     Vec past = Vec::Zero();  // at which it passes
     double gap = touch.gap;
     if (ahead > 0 || law_.friction > 0 || law_.damping > 0) {
-        const Vec of_own = velocity_at(piece, at), of_other = velocity_at(touch.piece, touch.t);
+        const Vec of_own = velocity_at(touch.own, at), of_other = velocity_at(touch.other, touch.place);
         past = of_own - of_other;
         // Walls are in the middle of the step when bodies are at its start.
         gap += ahead * ((own.is_wall ? 0.5 : 1) * of_own - (other.is_wall ? 0.5 : 1) * of_other).dot(touch.normal);
     }
     touch.normal_slope = touch.tangent_slope = touch.pressure = 0;
     touch.force.setZero();
-    Vec slip = memory_[point].slip;
+    Vec slip = memory_[index_of(touch.own, touch.number)].slip;
     if (gap < 0) {
         const double inverse_mass = rate_[index_of(own.part)] + rate_[index_of(other.part)];
         const double mass_per_area = inverse_mass > 0 ? 1 / inverse_mass : 0;
@@ -183,10 +216,9 @@ void SurfaceContact::add_force(std::size_t point, double ahead, bool remembers) 
             touch.normal_slope = area * (ahead * stiffness + (touched ? law_.dashpot(stiffness, mass_per_area) : 0));
         // Towards where there is more of the contact, its energy grows.
         Vec tangential = Vec::Zero();
-        if (touch.share_slope != 0) {
-            tangential = -touch.share_slope * weight * SurfaceContactLaw::energy(stiffness, gap) *
-                         other.now.tangent(touch.t).normalized();
-            add_couple(touch.piece, touch.from - touch.at, tangential);
+        if (touch.share_slope != Vec::Zero()) {
+            tangential = -weight * SurfaceContactLaw::energy(stiffness, gap) * touch.share_slope;
+            add_couple(touch.other, touch.from - touch.at, tangential);
         }
         if (law_.friction > 0 && touched) {
             const double length = slip.norm();
@@ -197,23 +229,21 @@ void SurfaceContact::add_force(std::size_t point, double ahead, bool remembers) 
             const Vec friction = area * law_.traction(stiffness, pressure, slip);
             if (slip.norm() == before)
                 touch.tangent_slope = area * dt_ * SurfaceContactLaw::tangential_stiffness * stiffness;
-            add_couple(piece, touch.from - touch.at, friction);
+            add_couple(touch.own, touch.from - touch.at, friction);
             tangential += friction;
         }
         const Vec force = area * pressure * touch.normal + tangential;
-        push(piece, at, force);
-        push(touch.piece, touch.t, -force);
+        push(touch.own, at, force);
+        push(touch.other, touch.place, -force);
         touch.force = force;
     }
-    if (remembers) remember(point, gap, slip);
+    if (remembers) remember(touch, gap, slip);
 }
 
-void SurfaceContact::remember(std::size_t point, double gap, const Vec& slip) {
-    const Touch& touch = touches_[point];
-    const auto& own = surfaces_.pieces()[point / points_of_piece];
-    const auto& other = surfaces_.pieces()[index_of(touch.piece)];
-    memory_[point] = gap < 0 ? Memory{other.solid, slip} : Memory{};
-    if (-gap > deepest_of_all_.depth) deepest_of_all_ = {-gap, t_, touch.from, {own.part, other.part}};
+void SurfaceContact::remember(const Touch& touch, double gap, const Vec& slip) {
+    memory_[index_of(touch.own, touch.number)] = gap < 0 ? Memory{piece(touch.other).solid, slip} : Memory{};
+    if (-gap > deepest_of_all_.depth)
+        deepest_of_all_ = {-gap, t_, touch.from, {piece(touch.own).part, piece(touch.other).part}};
 }
 
 /// Of the step, or the part of it [N s].
@@ -236,6 +266,7 @@ int SurfaceContact::parts_of_step(const SpringBodies& bodies, const WallMotion& 
 ContactImpulses SurfaceContact::kick(SpringBodies& bodies, const WallMotion& walls, double t, double dt) {
     place(bodies, walls, t, dt);
     find_touches(0);
+    find_touched_controls();
     find_forces(0, true);
     ContactImpulses impulses{Vec::Zero(), impulse_on_walls()};
     for (std::size_t b = 0; b < bodies.bodies().size(); ++b)
@@ -245,25 +276,27 @@ ContactImpulses SurfaceContact::kick(SpringBodies& bodies, const WallMotion& wal
 
 SurfaceContact::Sums SurfaceContact::sums(const std::string& part, const std::string& against) const {
     Sums sums;
-    const auto is_of = [&](int piece, const std::string& name) {
-        return name.empty() || space_.parts[index_of(surfaces_.pieces()[index_of(piece)].part)].name == name;
+    const auto is_of = [&](int number, const std::string& name) {
+        return name.empty() || space_.parts[index_of(piece(number).part)].name == name;
     };
-    for (std::size_t k = 0; k < surfaces_.pieces().size(); ++k) {
-        double on_piece = 0, length = 0;
-        for (std::size_t p = 0; p < points_of_piece; ++p) {
-            const Touch& touch = touches_[k * points_of_piece + p];
-            const double weight = surfaces_.pieces()[k].weight[p];
-            length += weight;
-            if (!touch.is_one || !(touch.pressure > 0)) continue;
-            const bool own = is_of(static_cast<int>(k), part) && is_of(touch.piece, against);
-            const bool met = is_of(touch.piece, part) && is_of(static_cast<int>(k), against);
+    const auto end = touches_.end();
+    for (auto begin = touches_.begin(); begin != end;) {
+        const int number = begin->own;
+        double on_piece = 0, size = 0;
+        for (std::size_t p = 0; p < surfaces_.points().size(); ++p) size += piece(number).weight[p];
+        for (; begin != end && begin->own == number; ++begin) {
+            const Touch& touch = *begin;
+            if (!(touch.pressure > 0)) continue;
+            const double weight = piece(number).weight[touch.number];
+            const bool own = is_of(number, part) && is_of(touch.other, against);
+            const bool met = is_of(touch.other, part) && is_of(number, against);
             if (own) sums.force += touch.force;
             if (met) sums.force -= touch.force;
             if (!own && !met) continue;
             sums.area += touch.share * weight;
             on_piece += weight * touch.pressure;
         }
-        if (length > 0) sums.pressure = std::max(sums.pressure, on_piece / length);
+        if (size > 0) sums.pressure = std::max(sums.pressure, on_piece / size);
     }
     return sums;
 }
@@ -321,6 +354,8 @@ void SurfaceContact::archive(Archive& file) {
     if (!file.loading()) return;
     if (parts.size() != points || slips.size() != points || starts.size() != points || start_gaps.size() != points)
         throw unlike_any_run("contact of other surfaces");
+    examined_.clear();
+    for (std::size_t k = 0; k < surfaces_.pieces().size(); ++k) examined_.push_back(static_cast<int>(k));
     for (std::size_t k = 0; k < points; ++k) {
         memory_[k] = {static_cast<int>(parts[k]), Vec(slips[k][0], slips[k][1], slips[k][2])};
         start_[k] = {static_cast<int>(starts[k]), start_gaps[k]};

@@ -35,7 +35,7 @@ struct ContactImpulses {
 ///   g = (x_q - y) . n,   U = SUM a w k g^2 / 2   (g < 0),   a = W(y) / (W(q) + W(y))
 /// Both surfaces are sampled, hence the share a, a half but near corners that stick out, where the samples of the
 /// corner have more (ContactSurfaces::weight): samples that pass a corner are not lost at once. As x_q - y is along n,
-/// the forces -+ (a w k g n + da/ds w k g^2 / 2 tau), given to what carries x_q and y, are the gradient of U (the
+/// the forces -+ (a w k g n + grad a w k g^2 / 2), given to what carries x_q and y, are the gradient of U (the
 /// second term to lowest order in g), and opposite: energy and momentum are kept. What acts along the surfaces (the
 /// second term, friction) acts at x_q and y, which are g apart; its moment is taken by a couple on a piece. (Puso &
 /// Laursen 2004; Fischer & Wriggers 2005; docs/elastic.md)
@@ -64,7 +64,7 @@ class SurfaceContact {
     void add_forces_at_end(std::span<const Vec> w, std::span<Vec> force);
     /// Adds minus the derivative of what this adds with respect to w, near the last w, times values. Friction that
     /// slides is left out.
-    void add_stiffness_times(std::span<const Vec> values, std::span<Vec> image) const;
+    void add_stiffness_times(std::span<const Vec> values, std::span<Vec> image);
     /// Has the forces of the last w act on the bodies in their next advance. Returns the impulse on the walls [N s].
     [[nodiscard]] Vec press(SpringBodies& bodies);
 
@@ -87,7 +87,8 @@ class SurfaceContact {
         double area = 0;          ///< in which it touches [m^2]
         double pressure = 0;      ///< the largest mean on a piece of a surface, at most a spacing long [Pa]
     };
-    /// Of the last step, or the last part of it: of a part against another, or the same; empty: against all. 1 m deep.
+    /// Of the last step, or the last part of it: of a part against another, or the same; empty: against all. In 2-D 1 m
+    /// deep.
     [[nodiscard]] Sums sums(const std::string& part, const std::string& against) const;
 
     /// Over the run so far.
@@ -105,19 +106,20 @@ class SurfaceContact {
     static constexpr int no_solid = -1;
     /// What is at rest may meet something in a step if it is nearer than this [spacings].
     static constexpr double at_rest = 0.05;
-    static constexpr std::size_t points_of_piece = ContactSurfaces::points_of_piece;
     static std::size_t index_of(int number) { return static_cast<std::size_t>(number); }
 
     struct Touch {
         bool is_one = false;
-        bool is_apart = false;  ///< whether the point is in front of the surface that it is nearest to
-        int piece = -1;         ///< that it meets
-        double t = 0;           ///< where on it
+        bool is_apart = false;     ///< whether the point is in front of the surface that it is nearest to
+        int own = -1, other = -1;  ///< the pieces: the point's, and the one that it meets
+        std::size_t number = 0;    ///< of the point on its piece
+        PiecePlace place{};        ///< on the other piece
         Vec from = Vec::Zero(), at = Vec::Zero(), normal = Vec::Zero();
         double gap = 0;
-        double share = 0, share_slope = 0;  ///< a [-], da/ds [1/m]
-        double pressure = 0;                ///< [Pa]
-        Vec force = Vec::Zero();            ///< on the piece of the point [N]
+        double share = 0;               ///< a [-]
+        Vec share_slope = Vec::Zero();  ///< its gradient along the other surface [1/m]
+        double pressure = 0;            ///< [Pa]
+        Vec force = Vec::Zero();        ///< on the piece of the point [N]
         /// By how much the forces at the end of the step fall with the velocity along the normal, the tangent [N s/m].
         double normal_slope = 0, tangent_slope = 0;
     };
@@ -138,20 +140,30 @@ class SurfaceContact {
     void read_bodies(const SpringBodies& bodies);
     void place(const SpringBodies& bodies, const WallMotion& walls, double t, double dt);
     [[nodiscard]] double farthest_way() const;
-    [[nodiscard]] bool meets_soon(std::size_t point) const;
+    [[nodiscard]] bool meets_soon(const Touch& touch) const;
     void archive_deepest(Archive& file);
     /// Those nearer than `margin` [m].
     void find_touches(double margin);
-    [[nodiscard]] Touch touch_of(int piece, std::size_t point, double margin) const;
-    [[nodiscard]] double gap_at(const Vec& from, int piece, double t, const Vec& shift, Vec& normal) const;
+    void find_touched_controls();
+    [[nodiscard]] Touch touch_of(int piece, std::size_t number, double margin) const;
+    [[nodiscard]] double gap_at(const Vec& from, int piece, const PiecePlace& place, const Vec& shift,
+                                Vec& normal) const;
     [[nodiscard]] double stiffness_of(int piece, int other) const;
     /// Forces of the present touches, at gaps of `ahead` from now [s]; `remembers`: they are those that act.
     void find_forces(double ahead, bool remembers);
-    void add_force(std::size_t point, double ahead, bool remembers);
-    void remember(std::size_t point, double gap, const Vec& slip);
+    void add_force(Touch& touch, double ahead, bool remembers);
+    void remember(const Touch& touch, double gap, const Vec& slip);
     void add_couple(int piece, const Vec& arm, const Vec& force);
-    void push(int piece, double t, const Vec& force);
-    [[nodiscard]] Vec velocity_at(int piece, double t) const;
+    void push(int piece, const PiecePlace& place, const Vec& force);
+    [[nodiscard]] Vec velocity_at(int piece, const PiecePlace& place) const;
+    [[nodiscard]] const ContactSurfaces::Piece& piece(int number) const { return surfaces_.pieces()[index_of(number)]; }
+    [[nodiscard]] const PiecePlace& place_of(const Touch& touch) const {
+        return surfaces_.points()[touch.number].place;
+    }
+    /// Of a point of a piece, among those of all.
+    [[nodiscard]] std::size_t index_of(int piece, std::size_t number) const {
+        return index_of(piece) * surfaces_.points().size() + number;
+    }
     Vec impulse_on_walls();
 
     const ParticleSpace space_;
@@ -167,14 +179,17 @@ class SurfaceContact {
     std::vector<double> rate_;       ///< by part: square of the highest frequency where all of it touches a wall, over
                                      ///< the stiffness [m^2/kg]
 
-    std::vector<Vec> position_, velocity_, force_;  ///< by unknown
+    std::vector<Vec> position_, velocity_, force_;       ///< by unknown
+    std::vector<Vec> control_velocity_, control_force_;  ///< by control point; of those of touched pieces
+    std::vector<int> touched_controls_;                  ///< theirs, ascending; not those of walls
     std::vector<double> inverse_mass_;
     std::vector<bool> is_held_;  ///< by piece: whether it is a wall's, or all that carries it is held
     std::vector<bool> touched_bodies_;
     const WallMotion* walls_ = nullptr;  ///< of the present step, with its time and length [s]
     double t_ = 0, dt_ = 0;
-    std::vector<Touch> touches_;         ///< by point of all pieces
-    std::vector<Memory> memory_;         ///< likewise
+    std::vector<Touch> touches_;         ///< by piece and point
+    std::vector<int> examined_;          ///< pieces whose points may remember something
+    std::vector<Memory> memory_;         ///< by point of all pieces
     std::vector<Start> start_;           ///< likewise
     std::vector<Vec> on_walls_;          ///< by piece [N]
     std::vector<Vec> impulse_on_walls_;  ///< by piece, in this step [N s]

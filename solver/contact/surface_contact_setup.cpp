@@ -39,8 +39,7 @@ SurfaceContact::SurfaceContact(const Scene& scene, const ParticleSet& set, const
       deepest_(looks_behind * set.spacing),
       surfaces_(set, bodies),
       pairs_(space_, deepest_) {
-    const std::size_t points = surfaces_.pieces().size() * points_of_piece;
-    touches_.resize(points);
+    const std::size_t points = surfaces_.pieces().size() * surfaces_.points().size();
     memory_.resize(points);
     start_.resize(points);
     on_walls_.resize(surfaces_.pieces().size());
@@ -55,15 +54,21 @@ void SurfaceContact::find_bodies(const SpringBodies& bodies) {
     pairs_.forget();
     position_.assign(surfaces_.unknowns(), Vec::Zero());
     velocity_ = force_ = position_;
+    control_velocity_.assign(surfaces_.controls(), Vec::Zero());
+    control_force_ = control_velocity_;
+    touches_.clear();
+    touched_controls_.clear();
     inverse_mass_.clear();
     for (const auto& body : bodies.bodies())
         for (std::size_t n = 0; n < body->unknowns(); ++n)
             inverse_mass_.push_back(body->unknown_fixed(n) ? 0 : 1 / body->unknown_mass(n));
     is_held_.clear();
     for (std::size_t k = 0; k < surfaces_.pieces().size(); ++k) {
+        const auto& of = surfaces_.pieces()[k];
         bool held = true;
-        surfaces_.for_each_share_of_chord(
-            static_cast<int>(k), [&](int unknown, double) { held = held && inverse_mass_[index_of(unknown)] == 0; });
+        for (std::size_t c = 0; c < of.now.controls(); ++c)
+            for (const auto& [unknown, share] : surfaces_.carriers(of.control[c]))
+                held = held && inverse_mass_[index_of(unknown)] == 0;
         is_held_.push_back(held);
     }
     rate_.clear();
@@ -76,30 +81,44 @@ void SurfaceContact::find_bodies(const SpringBodies& bodies) {
 double SurfaceContact::rate_of_full_touch(int part) const {
     constexpr int iterations = 60;
     constexpr double below = 1.05;
+    std::vector<int> controls;
+    for (const auto& of : surfaces_.pieces())
+        if (of.part == part && of.is_there && !of.is_wall)
+            controls.insert(controls.end(), of.control.begin(),
+                            of.control.begin() + static_cast<std::ptrdiff_t>(of.now.controls()));
+    if (controls.empty()) return 0;
+    std::ranges::sort(controls);
+    controls.erase(std::unique(controls.begin(), controls.end()), controls.end());
     std::vector<Vec> mode(position_.size());
     for (std::size_t n = 0; n < mode.size(); ++n) {
         const auto number_of_it = static_cast<double>(n + 1);
         mode[n] = Vec(std::sin(1.7 * number_of_it), std::cos(2.3 * number_of_it), 0);
+        if (space_.dimension == 3) mode[n][2] = std::sin(1.3 * number_of_it);
     }
     double largest = 0;
+    std::vector<Vec> of_control(surfaces_.controls()), on_control(surfaces_.controls()), image(mode.size());
     for (int k = 0; k < iterations; ++k) {
-        std::vector<Vec> image(mode.size(), Vec::Zero());
-        for (std::size_t p = 0; p < surfaces_.pieces().size(); ++p) {
-            const auto& piece = surfaces_.pieces()[p];
-            if (piece.part != part || !piece.is_there) continue;
-            for (std::size_t point = 0; point < points_of_piece; ++point) {
-                const Vec normal = piece.at_rest.normal(gauss_points[point]);
+        for (const int control : controls) {
+            of_control[index_of(control)] = surfaces_.carried(control, mode);
+            on_control[index_of(control)] = Vec::Zero();
+        }
+        for (const auto& of : surfaces_.pieces()) {
+            if (of.part != part || !of.is_there) continue;
+            for (std::size_t p = 0; p < surfaces_.points().size(); ++p) {
+                const PiecePlace& place = surfaces_.points()[p].place;
+                const Vec normal = of.at_rest.normal(place);
+                const auto shares = of.at_rest.shares(place);
                 double moved = 0;
-                const auto each = [&](const auto& visit) {
-                    surfaces_.for_each_share(static_cast<int>(p), gauss_points[point], visit);
-                };
-                each([&](int unknown, double share) { moved += share * mode[index_of(unknown)].dot(normal); });
-                each([&](int unknown, double share) {
-                    image[index_of(unknown)] +=
-                        share * piece.weight[point] * moved * inverse_mass_[index_of(unknown)] * normal;
-                });
+                for (std::size_t c = 0; c < of.now.controls(); ++c)
+                    moved += shares[c] * of_control[index_of(of.control[c])].dot(normal);
+                for (std::size_t c = 0; c < of.now.controls(); ++c)
+                    on_control[index_of(of.control[c])] += shares[c] * of.weight[p] * moved * normal;
             }
         }
+        std::ranges::fill(image, Vec::Zero());
+        for (const int control : controls)
+            for (const auto& [unknown, share] : surfaces_.carriers(control))
+                image[index_of(unknown)] += share * inverse_mass_[index_of(unknown)] * on_control[index_of(control)];
         double square = 0;
         for (const Vec& of_unknown : image) square += of_unknown.squaredNorm();
         if (square == 0) return 0;
@@ -173,23 +192,20 @@ void SurfaceContact::find_start(const Scene& scene, const SpringBodies& bodies) 
     surfaces_.place(position_, nullptr, threads_);
     pairs_.update(surfaces_);
     find_touches(0);
-    const auto is_held = [&](int piece, double t) {
-        bool held = surfaces_.pieces()[index_of(piece)].is_wall;
-        surfaces_.for_each_share(piece, t, [&](int unknown, double share) {
-            held = held || (inverse_mass_[index_of(unknown)] == 0 && std::abs(share) > 1e-9);
-        });
-        return held;
+    const auto is_held = [&](int number, const PiecePlace& place) {
+        const auto& of = piece(number);
+        if (of.is_wall) return true;
+        const auto shares = of.now.shares(place);
+        for (std::size_t c = 0; c < of.now.controls(); ++c)
+            for (const auto& [unknown, share] : surfaces_.carriers(of.control[c]))
+                if (inverse_mass_[index_of(unknown)] == 0 && std::abs(shares[c] * share) > 1e-9) return true;
+        return false;
     };
-    std::vector<Start> starts(touches_.size());
-    for (std::size_t point = 0; point < touches_.size(); ++point) {
-        const Touch& touch = touches_[point];
-        if (!touch.is_one) continue;
-        const int piece = static_cast<int>(point / points_of_piece);
-        const auto& own = surfaces_.pieces()[index_of(piece)];
-        const auto& other = surfaces_.pieces()[index_of(touch.piece)];
-        starts[point] = {other.solid, touch.gap};
-        const bool is_joined =
-            is_held(own.is_wall ? touch.piece : piece, own.is_wall ? touch.t : gauss_points[point % points_of_piece]);
+    std::vector<Start> starts(start_.size());
+    for (const Touch& touch : touches_) {
+        const auto &own = piece(touch.own), &other = piece(touch.other);
+        starts[index_of(touch.own, touch.number)] = {other.solid, touch.gap};
+        const bool is_joined = own.is_wall ? is_held(touch.other, touch.place) : is_held(touch.own, place_of(touch));
         if (is_joined || -touch.gap < deepest_start * space_.spacing) continue;
         throw InputError(scene.contact.between.location,
                          "'" + space_.parts[index_of(own.part)].name + "' and '" +
@@ -198,7 +214,7 @@ void SurfaceContact::find_start(const Scene& scene, const SpringBodies& bodies) 
                          "draw them apart, or write [contact] between = \"particles\"");
     }
     start_ = starts;
-    for (Touch& touch : touches_) touch = {};
+    touches_.clear();
     for (Memory& memory : memory_) memory = {};
 }
 
