@@ -12,6 +12,7 @@
 #include "geometry/inside_test.hpp"
 #include "geometry/nearest_curve.hpp"
 #include "geometry/nearest_triangle.hpp"
+#include "mesher/open_sides.hpp"
 #include "mesher/spring_lattice.hpp"
 
 namespace dmp::mesher {
@@ -30,22 +31,6 @@ struct Nearest {
     double depth = reach;       ///< behind it [spacings]
 };
 using FindNearest = std::function<std::optional<Nearest>(const Vec&)>;
-
-/// Whether all points lie on one side of the box beyond which the solid goes on.
-template <class Points>
-bool on_open_side(const Points& points, const ParticleSpace& space) {
-    for (int axis = 0; axis < space.dimension; ++axis)
-        for (const std::size_t side : {0U, 1U}) {
-            if (!space.periodic.at(static_cast<std::size_t>(axis)) &&
-                !space.mirrored.at(static_cast<std::size_t>(axis)).at(side))
-                continue;
-            const double at = (side == 0 ? space.box.low : space.box.high)[axis];
-            if (std::ranges::all_of(points,
-                                    [&](const Vec& p) { return std::abs(p[axis] - at) < 1e-6 * space.spacing; }))
-                return true;
-        }
-    return false;
-}
 
 /// The point and its images across periodic sides: where a surface near a side is met from.
 std::vector<Vec> images_of(const Vec& point, const ParticleSpace& space) {
@@ -217,10 +202,13 @@ void find_surface_of_sheet(ParticleSet& set, int part, double thickness, bool ha
     }
 }
 
+StripRows rows_of(const Sheet& sheet, const Scene& scene) {
+    return scene.dimension == 3 ? StripRows{2, scene.particles.spacing} : strip_rows(*sheet.part, scene);
+}
+
 /// As thick as its rows of particles at most; says so where that is not the material's thickness.
 double thickness_of_rows(const Sheet& sheet, const Scene& scene, MeshReport& report) {
-    const StripRows rows =
-        report.dimension == 3 ? StripRows{2, scene.particles.spacing} : strip_rows(*sheet.part, scene);
+    const StripRows rows = rows_of(sheet, scene);
     const std::string name = *sheet.part->name;
     const bool is_given = sheet.part->thickness.given() || report.dimension == 3;
     if (sheet.thickness <= (1 + 1e-9) * rows.thickness()) {
@@ -248,6 +236,12 @@ double strip_thickness(const Part& strip, const Scene& scene) {
     double density = 0;
     for (const Part* fluid : scene.parts_of(PartKind::fluid)) density = std::max(density, fluid->density.value);
     return density > 0 ? strip.mass_per_length / density : 0;
+}
+
+double thickness_between_sides(const Sheet& sheet, const Scene& scene) {
+    const double of_rows = rows_of(sheet, scene).thickness();
+    if (sheet.thickness <= 0) return of_rows;
+    return scene.parts_of(PartKind::fluid).empty() ? sheet.thickness : std::min(sheet.thickness, of_rows);
 }
 
 void find_body_surfaces(const Geometry& geometry, const Scene& scene, const std::vector<Sheet>& sheets,

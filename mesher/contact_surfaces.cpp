@@ -2,11 +2,13 @@
 #include "mesher/contact_surfaces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "geometry/inside_test.hpp"
-#include "mesher/spring_lattice.hpp"
+#include "mesher/contact_triangles.hpp"
+#include "mesher/open_sides.hpp"
 
 namespace dmp::mesher {
 
@@ -133,18 +135,6 @@ class LineWriter {
     ParticleSet& set_;
 };
 
-bool is_on_open_side(const Vec& a, const Vec& b, const ParticleSpace& space) {
-    for (int axis = 0; axis < space.dimension; ++axis)
-        for (const int side : {0, 1}) {
-            const auto at = static_cast<std::size_t>(axis);
-            if (!space.periodic.at(at) && !space.mirrored.at(at).at(static_cast<std::size_t>(side))) continue;
-            const double plane = (side == 0 ? space.box.low : space.box.high)[axis];
-            if (std::abs(a[axis] - plane) < 1e-6 * space.spacing && std::abs(b[axis] - plane) < 1e-6 * space.spacing)
-                return true;
-        }
-    return false;
-}
-
 void draw_area(const Region& region, int part, const ParticleSet& set, LineWriter& writer) {
     const InsideTest inside(region);
     const std::size_t first = writer.pieces();
@@ -153,16 +143,11 @@ void draw_area(const Region& region, int part, const ParticleSet& set, LineWrite
         const Vec along = line.points[1] - line.points[0];
         const Vec left = line.points[0] + 0.5 * along + 1e-3 * set.spacing * left_of(along.normalized());
         if (inside.side_of(left) != Side::inside) std::ranges::reverse(line.points);
-        writer.add(part, in_pieces(line, set.spacing), 0,
-                   [&](const Vec& a, const Vec& b) { return !is_on_open_side(a, b, set); });
+        writer.add(part, in_pieces(line, set.spacing), 0, [&](const Vec& a, const Vec& b) {
+            return !on_open_side(std::array{a, b}, set);
+        });
     }
     writer.find_thickness(first);
-}
-
-double thickness_between_sides(const Sheet& strip, const Scene& scene) {
-    const double of_rows = strip_rows(*strip.part, scene).thickness();
-    if (strip.thickness <= 0) return of_rows;
-    return scene.parts_of(PartKind::fluid).empty() ? strip.thickness : std::min(strip.thickness, of_rows);
 }
 
 void draw_strip(const Sheet& strip, double thickness, int part, double spacing, LineWriter& writer) {
@@ -224,6 +209,7 @@ void draw_wall(const CurveSet& curve, int part, const FreeSpace& free, const Par
 void draw_contact_surfaces(const Geometry& geometry, const Scene& scene, const std::vector<Sheet>& strips,
                            ParticleSet& set) {
     if (!scene.has_surface_contact()) return;
+    if (set.dimension == 3) return draw_contact_triangles(geometry, scene, strips, set);
     LineWriter writer(set);
     for (const Part* part : scene.parts_of(PartKind::elastic)) {
         const int number = set.part_named(part->name);

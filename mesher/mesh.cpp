@@ -86,6 +86,7 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     refuse_single_rows(result.particles, scene);
     measure_quality(result, scene);
     find_body_surfaces(geometry, scene, sheets, result);
+    draw_contact_surfaces(geometry, scene, sheets, result.particles);
     bond_solids(result, geometry, scene);
     join_parts(result, scene);
     count_bonds(result);

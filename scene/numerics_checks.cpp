@@ -126,9 +126,8 @@ void need_terms_that_go_together(const Scene& scene) {
 ContactBetween chosen_contact(const Scene& scene) {
     switch (*scene.contact.between) {
         case ContactBetween::automatic:
-            return scene.dimension == 2 && scene.solidify.empty() && scene.flow.symmetry->empty()
-                       ? ContactBetween::surfaces
-                       : ContactBetween::particles;
+            return scene.solidify.empty() && scene.flow.symmetry->empty() ? ContactBetween::surfaces
+                                                                          : ContactBetween::particles;
         case ContactBetween::surfaces:
         case ContactBetween::particles:
             return scene.contact.between;
@@ -141,8 +140,6 @@ void need_surfaces_for_what_they_have(const Scene& scene) {
     const auto& contact = scene.contact;
     if (chosen_contact(scene) == ContactBetween::surfaces) {
         const SourceLocation& location = contact.between.location;
-        if (scene.dimension == 3)
-            throw InputError(location, "contact.between = \"surfaces\" is not available in 3-D", "leave it out");
         if (!scene.flow.symmetry->empty())
             throw InputError(location, "contact.between = \"surfaces\" is not available beside planes of symmetry",
                              "leave it out, or draw both halves");
@@ -162,11 +159,11 @@ void need_surfaces_for_what_they_have(const Scene& scene) {
             throw InputError(
                 measure.kind.location,
                 "measure '" + *measure.name + "' is of contact between surfaces, and here particles repel each other",
-                "leave it out; surfaces touch in 2-D, without [[solidify]] and planes of symmetry");
+                "leave it out; surfaces touch in scenes without [[solidify]] and planes of symmetry");
     const auto refuse = [](const Value<double>& value, const std::string& key) {
         if (value.given() && value > 0)
             throw InputError(value.location, "contact." + key + " is of surfaces, and here particles repel each other",
-                             "leave it out; surfaces touch in 2-D, without [[solidify]] and planes of symmetry");
+                             "leave it out; surfaces touch in scenes without [[solidify]] and planes of symmetry");
     };
     refuse(contact.friction, "friction");
     refuse(contact.damping, "damping");
