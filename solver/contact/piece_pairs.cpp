@@ -11,14 +11,12 @@ namespace dmp::solver {
 
 namespace {
 
-/// Pieces may move by half of it before they are looked for anew; neighbours on one surface do not touch [spacings].
-constexpr double skin = 0.4, neighbourhood = 3;
+/// Neighbours on one surface do not touch [spacings].
+constexpr double neighbourhood = 3;
 /// Normals of pieces that face each other have a cosine below this; surfaces turn little within the skin.
 constexpr double may_face = 0.5;
 
 Vec middle(const SurfacePiece& piece) { return piece.at(piece.middle()); }
-
-Vec normal_of(const SurfacePiece& piece) { return piece.normal(piece.middle()); }
 
 double radius(const SurfacePiece& piece) {
     const Vec from = middle(piece);
@@ -54,8 +52,8 @@ double PiecePairs::nearest(const ContactSurfaces& surfaces) const {
     return nearest;
 }
 
-void PiecePairs::update(const ContactSurfaces& surfaces) {
-    if (!moved_far(surfaces)) return;
+bool PiecePairs::update(const ContactSurfaces& surfaces) {
+    if (!moved_far(surfaces)) return false;
     const auto& pieces = surfaces.pieces();
     placed_.clear();
     for (const auto& piece : pieces) placed_.push_back(piece.now);
@@ -66,15 +64,20 @@ void PiecePairs::update(const ContactSurfaces& surfaces) {
     // Middles moved into the box, and their images beyond periodic sides.
     double largest = 0;
     Coordinates places;
-    std::vector<Vec> inside;
+    std::vector<Vec> inside, middles, normals, at_rest;
+    std::vector<double> radii;
     for (const auto& piece : pieces) {
-        largest = std::max(largest, radius(piece.now));
-        inside.push_back(middle(piece.now));
+        middles.push_back(middle(piece.now));
+        normals.push_back(piece.now.normal(piece.now.middle()));
+        at_rest.push_back(middle(piece.at_rest));
+        radii.push_back(radius(piece.now));
+        largest = std::max(largest, radii.back());
+        inside.push_back(middles.back());
         for (int axis = 0; axis < space_.dimension; ++axis) {
             double& x = inside.back()[axis];
             if (!std::isfinite(x)) {  // the next step says so
                 first_.assign(pieces.size() + 1, 0);
-                return;
+                return true;
             }
             if (space_.periodic[static_cast<std::size_t>(axis)])
                 x = wrapped(x, space_.box.low[axis], space_.box.high[axis]);
@@ -92,7 +95,6 @@ void PiecePairs::update(const ContactSurfaces& surfaces) {
 
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const auto& own = pieces[k];
-        const Vec normal = normal_of(own.now);
         if (own.is_there)
             grid.for_each_near({inside[k][0], inside[k][1], inside[k][2]}, reach, [&](int point) {
                 const auto p = static_cast<std::size_t>(point);
@@ -104,16 +106,15 @@ void PiecePairs::update(const ContactSurfaces& surfaces) {
                 if (p >= pieces.size())
                     for (int axis = 0; axis < space_.dimension; ++axis)
                         place[axis] += images[p - pieces.size()].shift[static_cast<std::size_t>(axis)];
-                if (!((place - inside[k]).norm() <
-                      radius(own.now) + radius(other.now) + deepest_ + skin * space_.spacing))
-                    return;
-                if (normal.dot(normal_of(other.now)) > may_face) return;
+                const double far = radii[k] + radii[j] + deepest_ + skin * space_.spacing;
+                if (!((place - inside[k]).squaredNorm() < far * far)) return;
+                if (normals[k].dot(normals[j]) > may_face) return;
                 if (own.solid == other.solid) {
-                    const Vec apart = nearest_image(middle(own.at_rest) - middle(other.at_rest), space_);
+                    const Vec apart = nearest_image(at_rest[k] - at_rest[j], space_);
                     if (apart.norm() < neighbourhood * space_.spacing) return;
                 }
                 // From the image beside this piece to where the other is, and from this piece to where it is.
-                Vec shift = (middle(own.now) - inside[k]) - (middle(other.now) - place);
+                Vec shift = (middles[k] - inside[k]) - (middles[j] - place);
                 for (int axis = 0; axis < space_.dimension; ++axis)  // whole periods, whenever it looks
                     shift[axis] = space_.periodic[static_cast<std::size_t>(axis)]
                                       ? std::round(shift[axis] / space_.box.extent()[axis]) * space_.box.extent()[axis]
@@ -125,6 +126,7 @@ void PiecePairs::update(const ContactSurfaces& surfaces) {
         if (others_.size() > first_.back()) active_.push_back(static_cast<int>(k));
         first_.push_back(others_.size());
     }
+    return true;
 }
 
 }  // namespace dmp::solver

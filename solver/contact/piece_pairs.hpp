@@ -20,8 +20,11 @@ class PiecePairs {
     /// @param deepest how far behind a surface contact looks [m]
     PiecePairs(const ParticleSpace& space, double deepest) : space_(space), deepest_(deepest) {}
 
-    /// Looks anew where pieces have moved too far since it last did.
-    void update(const ContactSurfaces& surfaces);
+    /// What pieces may move by, relative to each other, until it looks anew [spacings].
+    static constexpr double skin = 0.4;
+
+    /// Looks anew where pieces have moved too far since it last did; true: it did.
+    bool update(const ContactSurfaces& surfaces);
     /// Looks anew the next time.
     void forget() { placed_.clear(); }
     /// At least how far pieces that may touch are from each other; infinite where none may [m].

@@ -33,7 +33,7 @@ void SurfaceContact::place(const SpringBodies& bodies, const WallMotion& walls, 
     dt_ = dt;
     read_bodies(bodies);
     surfaces_.place(position_, &walls, threads_);
-    pairs_.update(surfaces_);
+    if (pairs_.update(surfaces_)) find_clearance();
 }
 
 /// How far surfaces may approach each other in this step, if nothing is more than twice as fast as it is now [m].
@@ -64,30 +64,74 @@ double SurfaceContact::gap_at(const Vec& from, int number, const PiecePlace& pla
     return gap;
 }
 
+SurfaceContact::Nearest SurfaceContact::nearest_to(int number, std::size_t point) const {
+    const auto& own = piece(number);
+    const PiecePlace& at_own = surfaces_.points()[point].place;
+    const Vec from = own.now.at(at_own), facing_from = own.now.normal(at_own);
+    const int first = nearest_[index_of(number, point)];
+    Nearest found;
+    double nearest = deepest_ * deepest_;
+    const auto look = [&](const PiecePairs::Other& other) {
+        const SurfacePiece& shape = piece(other.piece).now;
+        // Nothing of the piece is nearer than the box around it.
+        const Vec at = from - other.shift;
+        const auto [low, high] = shape.box();
+        if ((low - at).cwiseMax(at - high).cwiseMax(0).squaredNorm() > nearest) return;
+        const PiecePlace place = shape.nearest(at);
+        const double square = (at - shape.at(place)).squaredNorm();
+        if (square > nearest || shape.normal(place).dot(facing_from) > most_facing) return;
+        // Of equally near pieces the first, in whatever order they are looked at.
+        if (square == nearest && found.other >= 0 && found.other < other.piece) return;
+        nearest = square;
+        found = {other.piece, place, other.shift};
+    };
+    for (const PiecePairs::Other& other : pairs_.others(number))
+        if (other.piece == first) look(other);
+    for (const PiecePairs::Other& other : pairs_.others(number))
+        if (other.piece != first) look(other);
+    return found;
+}
+
+/// How far a point is from the others that its piece may touch; 0 where it is behind one of them [m].
+double SurfaceContact::clearance_of(int number, std::size_t point) const {
+    const Vec from = piece(number).now.at(surfaces_.points()[point].place);
+    double clearance = deepest_;
+    for (const PiecePairs::Other& other : pairs_.others(number)) {
+        const SurfacePiece& shape = piece(other.piece).now;
+        const Vec at = from - other.shift;
+        const auto [low, high] = shape.box();
+        if ((low - at).cwiseMax(at - high).cwiseMax(0).norm() > deepest_) continue;
+        const PiecePlace place = shape.nearest(at);
+        const double distance = (at - shape.at(place)).norm();
+        Vec normal;
+        if (distance < deepest_ && gap_at(from, other.piece, place, other.shift, normal) < 0) return 0;
+        clearance = std::min(clearance, distance);
+    }
+    return clearance;
+}
+
+void SurfaceContact::find_clearance() {
+    const std::vector<int>& active = pairs_.active();
+    const auto count = static_cast<std::ptrdiff_t>(active.size());
+#pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
+    for (std::ptrdiff_t k = 0; k < count; ++k)
+        for (std::size_t p = 0; p < surfaces_.points().size(); ++p) {
+            const int number = active[static_cast<std::size_t>(k)];
+            clearance_[index_of(number, p)] = clearance_of(number, p);
+        }
+}
+
 SurfaceContact::Touch SurfaceContact::touch_of(int number, std::size_t point, double margin) const {
     const auto& own = piece(number);
     const std::size_t index = index_of(number, point);
     Touch touch;
     touch.own = number;
     touch.number = point;
+    if (clearance_[index] > PiecePairs::skin * space_.spacing + margin) return touch;
     touch.from = own.now.at(place_of(touch));
-    const Vec facing_from = own.now.normal(place_of(touch));
-    double nearest = deepest_ * deepest_;
-    Vec shift = Vec::Zero();
-    for (const PiecePairs::Other& other : pairs_.others(number)) {
-        const SurfacePiece& shape = piece(other.piece).now;
-        // Nothing of the piece is nearer than the box around it.
-        const Vec at = touch.from - other.shift;
-        const auto [low, high] = shape.box();
-        if ((low - at).cwiseMax(at - high).cwiseMax(0).squaredNorm() >= nearest) continue;
-        const PiecePlace place = shape.nearest(at);
-        const double square = (at - shape.at(place)).squaredNorm();
-        if (square >= nearest || shape.normal(place).dot(facing_from) > most_facing) continue;
-        nearest = square;
-        touch.other = other.piece;
-        touch.place = place;
-        shift = other.shift;
-    }
+    const auto [nearest, place, shift] = nearest_to(number, point);
+    touch.other = nearest;
+    touch.place = place;
     if (touch.other < 0) return touch;
     const auto& other = piece(touch.other);
     touch.gap = gap_at(touch.from, touch.other, touch.place, shift, touch.normal);
@@ -126,6 +170,7 @@ void SurfaceContact::find_touches(double margin) {
             const std::size_t index = index_of(number, p);
             const Touch touch = touch_of(number, p, margin);
             touches_[static_cast<std::size_t>(k) * points + p] = touch;
+            if (touch.other >= 0) nearest_[index] = touch.other;
             const int other = touch.other < 0 ? no_solid : piece(touch.other).solid;
             // What was drawn into another solid has left it once it is in front of it.
             if (start_[index].solid != other || touch.is_apart) start_[index] = {};
@@ -260,7 +305,9 @@ int SurfaceContact::parts_of_step(const SpringBodies& bodies, const WallMotion& 
     const double parts = std::ceil(dt / step_limit() * (1 - 1e-9));
     if (!(parts > 1)) return 1;
     place(bodies, walls, t, dt);
-    return pairs_.nearest(surfaces_) <= farthest_way() ? static_cast<int>(std::min(parts, most_parts)) : 1;
+    return pairs_.nearest(surfaces_) <= farthest_way() + at_rest * space_.spacing
+               ? static_cast<int>(std::min(parts, most_parts))
+               : 1;
 }
 
 ContactImpulses SurfaceContact::kick(SpringBodies& bodies, const WallMotion& walls, double t, double dt) {

@@ -145,7 +145,16 @@ class SurfaceContact {
     /// Those nearer than `margin` [m].
     void find_touches(double margin);
     void find_touched_controls();
+    /// The nearest place of other pieces that a point faces, if it is within `deepest_`: other, place, shift.
+    struct Nearest {
+        int other = -1;
+        PiecePlace place{};
+        Vec shift = Vec::Zero();  ///< to the image of the other piece [m]
+    };
+    [[nodiscard]] Nearest nearest_to(int piece, std::size_t number) const;
     [[nodiscard]] Touch touch_of(int piece, std::size_t number, double margin) const;
+    void find_clearance();
+    [[nodiscard]] double clearance_of(int piece, std::size_t number) const;
     [[nodiscard]] double gap_at(const Vec& from, int piece, const PiecePlace& place, const Vec& shift,
                                 Vec& normal) const;
     [[nodiscard]] double stiffness_of(int piece, int other) const;
@@ -188,6 +197,9 @@ class SurfaceContact {
     const WallMotion* walls_ = nullptr;  ///< of the present step, with its time and length [s]
     double t_ = 0, dt_ = 0;
     std::vector<Touch> touches_;         ///< by piece and point
+    std::vector<double> clearance_;      ///< by point of all pieces: how far it was from others when the pairs
+                                         ///< were found; 0 where it was behind one [m]
+    std::vector<int> nearest_;           ///< likewise: the piece that was nearest at last, where a search begins
     std::vector<int> examined_;          ///< pieces whose points may remember something
     std::vector<Memory> memory_;         ///< by point of all pieces
     std::vector<Start> start_;           ///< likewise

@@ -42,6 +42,8 @@ SurfaceContact::SurfaceContact(const Scene& scene, const ParticleSet& set, const
     const std::size_t points = surfaces_.pieces().size() * surfaces_.points().size();
     memory_.resize(points);
     start_.resize(points);
+    clearance_.resize(points);
+    nearest_.resize(points, -1);
     on_walls_.resize(surfaces_.pieces().size());
     impulse_on_walls_.resize(surfaces_.pieces().size(), Vec::Zero());
     find_bodies(bodies);
@@ -190,7 +192,7 @@ double SurfaceContact::step_limit() const {
 void SurfaceContact::find_start(const Scene& scene, const SpringBodies& bodies) {
     read_bodies(bodies);
     surfaces_.place(position_, nullptr, threads_);
-    pairs_.update(surfaces_);
+    if (pairs_.update(surfaces_)) find_clearance();
     find_touches(0);
     const auto is_held = [&](int number, const PiecePlace& place) {
         const auto& of = piece(number);
