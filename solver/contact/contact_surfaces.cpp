@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "base/errors.hpp"
 #include "base/length_text.hpp"
@@ -48,6 +49,7 @@ ContactSurfaces::ContactSurfaces(const ParticleSet& set, const SpringBodies& bod
         for (std::size_t p = 0; p < points().size(); ++p)
             piece.weight[p] = points()[p].weight * piece.at_rest.measure(points()[p].place);
         piece.now = piece.at_rest;
+        std::tie(piece.low, piece.high) = piece.now.box();
     }
     find_particles(set);
     find_pieces_at_controls();
@@ -220,17 +222,23 @@ void ContactSurfaces::find_bodies(const SpringBodies& bodies) {
     }
     control_position_ = control_at_rest_;
     for (Piece& piece : pieces_) {
+        piece.is_held = true;
         if (piece.is_wall) continue;
         piece.is_there = true;
         for (std::size_t k = 0; k < piece.now.controls(); ++k) {
             const auto c = static_cast<std::size_t>(piece.control[k]);
             piece.is_there = piece.is_there && !is_torn[c] && body_[c] == body_of(piece.control[0]);
+            for (const auto& [unknown, share] : carriers(piece.control[k])) {
+                const auto body = static_cast<std::size_t>(body_[c]);
+                const std::size_t of_body = static_cast<std::size_t>(unknown) - first_unknown_[body];
+                piece.is_held = piece.is_held && bodies.bodies()[body]->unknown_fixed(of_body);
+            }
         }
     }
 }
 
 void ContactSurfaces::place(std::span<const Vec> position, const WallMotion* walls, int threads) {
-    const bool walls_move = walls != nullptr && walls->moves();
+    walls_move_ = walls != nullptr && walls->moves();
     const auto controls = static_cast<std::ptrdiff_t>(controls_.size());
 #pragma omp parallel for num_threads(threads) schedule(static)
     for (std::ptrdiff_t k = 0; k < controls; ++k)
@@ -240,11 +248,12 @@ void ContactSurfaces::place(std::span<const Vec> position, const WallMotion* wal
 #pragma omp parallel for num_threads(threads) schedule(static)
     for (std::ptrdiff_t k = 0; k < pieces; ++k) {
         Piece& piece = pieces_[static_cast<std::size_t>(k)];
-        if (!piece.is_there || (piece.is_wall && !walls_move)) continue;
+        if (!piece.is_there || (piece.is_wall && !walls_move_)) continue;
         for (std::size_t c = 0; c < piece.now.controls(); ++c)
             piece.now.control[c] =
                 piece.is_wall ? walls->carried(static_cast<std::uint16_t>(piece.part), piece.at_rest.control[c])
                               : control_position_[static_cast<std::size_t>(piece.control[c])];
+        std::tie(piece.low, piece.high) = piece.now.box();
     }
 }
 

@@ -21,11 +21,13 @@ class ContactSurfaces {
         int part = 0;
         int solid = 0;  ///< the body that it was drawn of; of walls -2 - part
         bool is_wall = false;
-        bool is_there = true;                                    ///< false where what carries it has torn apart
-        double thickness = 0;                                    ///< of the solid behind it [m]
+        bool is_there = true;  ///< false where what carries it has torn apart
+        bool is_held = false;  ///< whether it is a wall's, or all that carries it is held
+        double thickness = 0;  ///< of the solid behind it [m]
         std::array<int, SurfacePiece::most_controls> control{};  ///< numbers of its control points
         std::array<double, 4> weight{};                          ///< of its points: length, area at rest [m, m^2]
         SurfacePiece at_rest, now;
+        Vec low, high;                              ///< of a box that holds the piece [m]
         std::array<double, 3> of_corners{1, 1, 1};  ///< 0 at those that stick out, or lie on an edge that does
         int wall_particle = -1;                     ///< id of the wall's particle nearest to it, which takes its forces
     };
@@ -49,6 +51,7 @@ class ContactSurfaces {
     [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
     /// Of a piece.
     [[nodiscard]] std::span<const QuadraturePoint> points() const { return quadrature(corners_); }
+    [[nodiscard]] bool walls_move() const { return walls_move_; }
     [[nodiscard]] std::size_t controls() const { return controls_.size(); }
     [[nodiscard]] std::size_t unknowns() const { return first_unknown_.back(); }
     /// Of a body's first unknown, by body; then the number of all.
@@ -86,6 +89,7 @@ class ContactSurfaces {
 
     ParticleSpace space_;
     std::size_t corners_;
+    bool walls_move_ = false;
     std::vector<DrawnSurfaces::OfPoints> controls_;
     std::vector<bool> is_end_;          ///< by control point
     std::vector<Vec> control_at_rest_;  ///< by control point

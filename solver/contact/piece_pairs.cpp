@@ -33,7 +33,7 @@ bool PiecePairs::moved_far(const ContactSurfaces& surfaces) const {
     if (placed_.size() != pieces.size()) return true;
     const double most = 0.25 * skin * skin * space_.spacing * space_.spacing;
     for (std::size_t k = 0; k < pieces.size(); ++k)
-        for (std::size_t c = 0; c < placed_[k].controls(); ++c)
+        for (std::size_t c = 0; c < placed_[k].controls() && !(pieces[k].is_wall && !surfaces.walls_move()); ++c)
             if (!((pieces[k].now.control[c] - placed_[k].control[c]).squaredNorm() < most))
                 return true;  // also for NaN
     return false;
@@ -42,10 +42,10 @@ bool PiecePairs::moved_far(const ContactSurfaces& surfaces) const {
 double PiecePairs::nearest(const ContactSurfaces& surfaces) const {
     double nearest = std::numeric_limits<double>::infinity();
     for (const int k : active_) {
-        const auto [low, high] = surfaces.pieces()[static_cast<std::size_t>(k)].now.box();
+        const auto& own = surfaces.pieces()[static_cast<std::size_t>(k)];
         for (const Other& other : others(k)) {
-            const auto [other_low, other_high] = surfaces.pieces()[static_cast<std::size_t>(other.piece)].now.box();
-            const Vec apart = (low - other_high - other.shift).cwiseMax(other_low + other.shift - high).cwiseMax(0);
+            const auto& met = surfaces.pieces()[static_cast<std::size_t>(other.piece)];
+            const Vec apart = (own.low - met.high - other.shift).cwiseMax(met.low + other.shift - own.high).cwiseMax(0);
             nearest = std::min(nearest, apart.norm());
         }
     }
@@ -101,7 +101,7 @@ bool PiecePairs::update(const ContactSurfaces& surfaces) {
                 const std::size_t j =
                     p < pieces.size() ? p : static_cast<std::size_t>(images[p - pieces.size()].source);
                 const auto& other = pieces[j];
-                if (!other.is_there || (own.is_wall && other.is_wall)) return;
+                if (!other.is_there || (own.is_held && other.is_held)) return;
                 Vec place = inside[j];
                 if (p >= pieces.size())
                     for (int axis = 0; axis < space_.dimension; ++axis)

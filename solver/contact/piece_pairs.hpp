@@ -9,7 +9,8 @@
 namespace dmp::solver {
 
 /// Which pieces of the surfaces may touch before they have moved by half the skin: those that are near and face each
-/// other, but not neighbours on one surface, which are nearer than three spacings in the undeformed part.
+/// other, one of them free to move, but not neighbours on one surface, which are nearer than three spacings in the
+/// undeformed part.
 class PiecePairs {
   public:
     struct Other {

@@ -72,11 +72,11 @@ SurfaceContact::Nearest SurfaceContact::nearest_to(int number, std::size_t point
     Nearest found;
     double nearest = deepest_ * deepest_;
     const auto look = [&](const PiecePairs::Other& other) {
-        const SurfacePiece& shape = piece(other.piece).now;
+        const auto& met = piece(other.piece);
+        const SurfacePiece& shape = met.now;
         // Nothing of the piece is nearer than the box around it.
         const Vec at = from - other.shift;
-        const auto [low, high] = shape.box();
-        if ((low - at).cwiseMax(at - high).cwiseMax(0).squaredNorm() > nearest) return;
+        if ((met.low - at).cwiseMax(at - met.high).cwiseMax(0).squaredNorm() > nearest) return;
         const PiecePlace place = shape.nearest(at);
         const double square = (at - shape.at(place)).squaredNorm();
         if (square > nearest || shape.normal(place).dot(facing_from) > most_facing) return;
@@ -97,10 +97,10 @@ double SurfaceContact::clearance_of(int number, std::size_t point) const {
     const Vec from = piece(number).now.at(surfaces_.points()[point].place);
     double clearance = deepest_;
     for (const PiecePairs::Other& other : pairs_.others(number)) {
-        const SurfacePiece& shape = piece(other.piece).now;
+        const auto& met = piece(other.piece);
+        const SurfacePiece& shape = met.now;
         const Vec at = from - other.shift;
-        const auto [low, high] = shape.box();
-        if ((low - at).cwiseMax(at - high).cwiseMax(0).norm() > deepest_) continue;
+        if ((met.low - at).cwiseMax(at - met.high).cwiseMax(0).norm() > deepest_) continue;
         const PiecePlace place = shape.nearest(at);
         const double distance = (at - shape.at(place)).norm();
         Vec normal;
@@ -142,8 +142,7 @@ SurfaceContact::Touch SurfaceContact::touch_of(int number, std::size_t point, do
     touch.is_apart = touch.gap > 0;
     if (start_[index].solid == other.solid) touch.gap -= start_[index].gap;
     if (-touch.gap > deepest) return touch;
-    touch.is_one = touch.gap < margin && !surfaces_.is_end(touch.other, touch.place) &&
-                   !(is_held_[index_of(number)] && is_held_[index_of(touch.other)]);
+    touch.is_one = touch.gap < margin && !surfaces_.is_end(touch.other, touch.place);
     const double here = ContactSurfaces::weight(own, place_of(touch)).value;
     const auto [there, slope] = ContactSurfaces::weight(other, touch.place);
     touch.share = there / (here + there);

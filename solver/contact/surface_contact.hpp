@@ -192,7 +192,6 @@ class SurfaceContact {
     std::vector<Vec> control_velocity_, control_force_;  ///< by control point; of those of touched pieces
     std::vector<int> touched_controls_;                  ///< theirs, ascending; not those of walls
     std::vector<double> inverse_mass_;
-    std::vector<bool> is_held_;  ///< by piece: whether it is a wall's, or all that carries it is held
     std::vector<bool> touched_bodies_;
     const WallMotion* walls_ = nullptr;  ///< of the present step, with its time and length [s]
     double t_ = 0, dt_ = 0;

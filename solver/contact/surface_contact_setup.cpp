@@ -64,15 +64,6 @@ void SurfaceContact::find_bodies(const SpringBodies& bodies) {
     for (const auto& body : bodies.bodies())
         for (std::size_t n = 0; n < body->unknowns(); ++n)
             inverse_mass_.push_back(body->unknown_fixed(n) ? 0 : 1 / body->unknown_mass(n));
-    is_held_.clear();
-    for (std::size_t k = 0; k < surfaces_.pieces().size(); ++k) {
-        const auto& of = surfaces_.pieces()[k];
-        bool held = true;
-        for (std::size_t c = 0; c < of.now.controls(); ++c)
-            for (const auto& [unknown, share] : surfaces_.carriers(of.control[c]))
-                held = held && inverse_mass_[index_of(unknown)] == 0;
-        is_held_.push_back(held);
-    }
     rate_.clear();
     for (std::size_t part = 0; part < space_.parts.size(); ++part)
         rate_.push_back(rate_of_full_touch(static_cast<int>(part)));
