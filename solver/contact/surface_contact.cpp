@@ -304,7 +304,7 @@ int SurfaceContact::parts_of_step(const SpringBodies& bodies, const WallMotion& 
     const double parts = std::ceil(dt / step_limit() * (1 - 1e-9));
     if (!(parts > 1)) return 1;
     place(bodies, walls, t, dt);
-    return pairs_.nearest(surfaces_) <= farthest_way() + at_rest * space_.spacing
+    return pairs_.nearest(surfaces_) <= std::max(farthest_way(), at_rest * space_.spacing)
                ? static_cast<int>(std::min(parts, most_parts))
                : 1;
 }

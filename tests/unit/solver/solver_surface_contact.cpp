@@ -12,7 +12,6 @@
 #include <gmock/gmock.h>
 
 #include "models/contact/surface_contact.hpp"
-#include "solver/contact/curve_piece.hpp"
 #include "solver/simulation.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/mesher/meshed_text.hpp"
@@ -50,18 +49,6 @@ TEST(SurfaceContactLaw, holds_up_to_the_friction_and_forgets_what_slid) {
     slip = Vec(0, 1e-3, 0);
     EXPECT_NEAR(law.traction(k, pressure, slip)[1], -30, 1e-9);
     EXPECT_NEAR(slip[1], 30 / 7e5, 1e-12);
-}
-
-TEST(CurvePiece, finds_the_nearest_point_of_all_that_it_has) {
-    const CurvePiece piece{{Vec(0, 0, 0), Vec(0.5, 0.2, 0), Vec(1, 0, 0)}};
-    for (const Vec& point : {Vec(0.3, 0.4, 0), Vec(0.7, -0.1, 0), Vec(0.52, 0.08, 0), Vec(-1, 0.3, 0), Vec(2, 0, 0)}) {
-        double least = 1e9;
-        for (int k = 0; k <= 20000; ++k) least = std::min(least, (piece.at(k / 20000.0) - point).norm());
-        EXPECT_NEAR((piece.at(piece.nearest(point)) - point).norm(), least, 2e-8);
-    }
-    EXPECT_EQ(piece.nearest(Vec(-1, 0.3, 0)), 0);
-    EXPECT_EQ(piece.nearest(Vec(2, 0, 0)), 1);
-    EXPECT_NEAR(piece.normal(0.5)[1], -1, 1e-15);
 }
 
 constexpr double degree = std::numbers::pi / 180;
