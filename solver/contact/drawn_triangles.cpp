@@ -26,7 +26,7 @@ class TriangleDrawing {
     struct Edge {
         int a, b;                    ///< points, a < b
         std::vector<int> triangles;  ///< on both sides
-        bool is_sharp = false, is_flat = false;
+        bool is_sharp = false, is_level = false;
         bool sticks_out = false, is_border = false;  ///< of sharp ones
     };
 
@@ -40,6 +40,7 @@ class TriangleDrawing {
         return (at(b) - at(a)).cross(at(c) - at(a)).normalized();
     }
     void judge(Edge& edge) const;
+    [[nodiscard]] bool is_flat_around(const Edge& edge) const;
     [[nodiscard]] std::vector<int> points_around(const Edge& edge) const;
     [[nodiscard]] std::optional<OfPoints> middle_of_surface(const Edge& edge) const;
     [[nodiscard]] OfPoints control_of(const Edge& edge) const;
@@ -78,11 +79,20 @@ void TriangleDrawing::judge(Edge& edge) const {
     }
     const Vec first = normal(edge.triangles[0]), second = normal(edge.triangles[1]);
     const double turn = std::atan2(first.cross(second).norm(), first.dot(second));
-    edge.is_flat = turn < flat_edge;
+    edge.is_level = turn < flat_edge;
     edge.is_sharp = turn > sharp_edge;
     if (!edge.is_sharp) return;
     for (const int corner : corners(edge.triangles[1]))
         if (corner != edge.a && corner != edge.b) edge.sticks_out = (at(corner) - at(edge.a)).dot(first) < 0;
+}
+
+/// Four corners of two triangles may lie in a plane on any surface: the edges around both ends say.
+bool TriangleDrawing::is_flat_around(const Edge& edge) const {
+    for (const int point : {edge.a, edge.b})
+        for (const int e : edges_around_[static_cast<std::size_t>(point)])
+            if (const Edge& other = edges_[static_cast<std::size_t>(e)]; !other.is_sharp && !other.is_level)
+                return false;
+    return true;
 }
 
 /// The corners of all triangles around both ends, as far as no sharp edge is between; ascending.
@@ -112,7 +122,7 @@ std::vector<int> TriangleDrawing::points_around(const Edge& edge) const {
 /// exact where the surface is quadratic. Nothing where the points do not say.
 std::optional<TriangleDrawing::OfPoints> TriangleDrawing::middle_of_surface(const Edge& edge) const {
     using Quadratic = Eigen::Matrix<double, 6, 1>;
-    constexpr double worst_condition = 1e-4;
+    constexpr double worst_condition = 1e-6;
     const std::vector<int> points = points_around(edge);
     if (points.size() < 6) return std::nullopt;
     const Vec origin = 0.5 * (at(edge.a) + at(edge.b));
@@ -141,7 +151,7 @@ std::optional<TriangleDrawing::OfPoints> TriangleDrawing::middle_of_surface(cons
 
 TriangleDrawing::OfPoints TriangleDrawing::control_of(const Edge& edge) const {
     OfPoints straight{{edge.a, 0.5}, {edge.b, 0.5}};
-    if (edge.is_flat || edge.is_sharp) return straight;
+    if (edge.is_sharp || is_flat_around(edge)) return straight;
     std::optional<OfPoints> control = middle_of_surface(edge);
     if (!control) return straight;
     // The edge's curve, from a to b, goes through it.

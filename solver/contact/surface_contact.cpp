@@ -33,7 +33,7 @@ void SurfaceContact::place(const SpringBodies& bodies, const WallMotion& walls, 
     dt_ = dt;
     read_bodies(bodies);
     surfaces_.place(position_, &walls, threads_);
-    if (pairs_.update(surfaces_)) find_clearance();
+    find_pairs();
 }
 
 /// How far surfaces may approach each other in this step, if nothing is more than twice as fast as it is now [m].
@@ -68,56 +68,66 @@ SurfaceContact::Nearest SurfaceContact::nearest_to(int number, std::size_t point
     const auto& own = piece(number);
     const PiecePlace& at_own = surfaces_.points()[point].place;
     const Vec from = own.now.at(at_own), facing_from = own.now.normal(at_own);
-    const int first = nearest_[index_of(number, point)];
     Nearest found;
     double nearest = deepest_ * deepest_;
-    const auto look = [&](const PiecePairs::Other& other) {
+    for (const PiecePairs::Other& other : near_[index_of(number, point)].others) {
         const auto& met = piece(other.piece);
         const SurfacePiece& shape = met.now;
         // Nothing of the piece is nearer than the box around it.
         const Vec at = from - other.shift;
-        if ((met.low - at).cwiseMax(at - met.high).cwiseMax(0).squaredNorm() > nearest) return;
+        if ((met.low - at).cwiseMax(at - met.high).cwiseMax(0).squaredNorm() > nearest) continue;
         const PiecePlace place = shape.nearest(at);
         const double square = (at - shape.at(place)).squaredNorm();
-        if (square > nearest || shape.normal(place).dot(facing_from) > most_facing) return;
+        if (square > nearest || shape.normal(place).dot(facing_from) > most_facing) continue;
         // Of equally near pieces the first, in whatever order they are looked at.
-        if (square == nearest && found.other >= 0 && found.other < other.piece) return;
+        if (square == nearest && found.other >= 0 && found.other < other.piece) continue;
         nearest = square;
         found = {other.piece, place, other.shift};
-    };
-    for (const PiecePairs::Other& other : pairs_.others(number))
-        if (other.piece == first) look(other);
-    for (const PiecePairs::Other& other : pairs_.others(number))
-        if (other.piece != first) look(other);
+    }
     return found;
 }
 
-/// How far a point is from the others that its piece may touch; 0 where it is behind one of them [m].
-double SurfaceContact::clearance_of(int number, std::size_t point) const {
-    const Vec from = piece(number).now.at(surfaces_.points()[point].place);
-    double clearance = deepest_;
+SurfaceContact::Near SurfaceContact::near_to(int number, std::size_t point) const {
+    constexpr double faces = -0.5;
+    const PiecePlace& at_own = surfaces_.points()[point].place;
+    const Vec from = piece(number).now.at(at_own), facing_from = piece(number).now.normal(at_own);
+    Near near{deepest_, {}};
+    std::vector<std::pair<double, PiecePairs::Other>> found;
+    double nearest_that_faces = deepest_;
+    bool is_behind = false;
     for (const PiecePairs::Other& other : pairs_.others(number)) {
         const auto& met = piece(other.piece);
         const SurfacePiece& shape = met.now;
         const Vec at = from - other.shift;
-        if ((met.low - at).cwiseMax(at - met.high).cwiseMax(0).norm() > deepest_) continue;
+        if ((met.low - at).cwiseMax(at - met.high).cwiseMax(0).norm() > deepest_ + PiecePairs::skin * space_.spacing)
+            continue;
         const PiecePlace place = shape.nearest(at);
         const double distance = (at - shape.at(place)).norm();
+        found.emplace_back(distance, other);
         Vec normal;
-        if (distance < deepest_ && gap_at(from, other.piece, place, other.shift, normal) < 0) return 0;
-        clearance = std::min(clearance, distance);
+        is_behind = is_behind || (distance < deepest_ && gap_at(from, other.piece, place, other.shift, normal) < 0);
+        near.clearance = std::min(near.clearance, distance);
+        if (shape.normal(place).dot(facing_from) < faces) nearest_that_faces = std::min(nearest_that_faces, distance);
     }
-    return clearance;
+    if (is_behind) near.clearance = 0;
+    // That one may go away by the skin, and others come nearer by it.
+    const double far = nearest_that_faces + 2 * PiecePairs::skin * space_.spacing;
+    std::erase_if(found, [&](const auto& each) { return each.first > far; });
+    std::ranges::stable_sort(found, {}, [](const auto& each) { return each.first; });
+    for (const auto& [distance, other] : found) near.others.push_back(other);
+    return near;
 }
 
-void SurfaceContact::find_clearance() {
+void SurfaceContact::find_pairs() {
+    if (!pairs_.update(surfaces_)) return;
     const std::vector<int>& active = pairs_.active();
     const auto count = static_cast<std::ptrdiff_t>(active.size());
+    near_.assign(near_.size(), {});
 #pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
     for (std::ptrdiff_t k = 0; k < count; ++k)
         for (std::size_t p = 0; p < surfaces_.points().size(); ++p) {
             const int number = active[static_cast<std::size_t>(k)];
-            clearance_[index_of(number, p)] = clearance_of(number, p);
+            near_[index_of(number, p)] = near_to(number, p);
         }
 }
 
@@ -127,7 +137,7 @@ SurfaceContact::Touch SurfaceContact::touch_of(int number, std::size_t point, do
     Touch touch;
     touch.own = number;
     touch.number = point;
-    if (clearance_[index] > PiecePairs::skin * space_.spacing + margin) return touch;
+    if (near_[index].clearance > PiecePairs::skin * space_.spacing + margin) return touch;
     touch.from = own.now.at(place_of(touch));
     const auto [nearest, place, shift] = nearest_to(number, point);
     touch.other = nearest;
@@ -169,7 +179,6 @@ void SurfaceContact::find_touches(double margin) {
             const std::size_t index = index_of(number, p);
             const Touch touch = touch_of(number, p, margin);
             touches_[static_cast<std::size_t>(k) * points + p] = touch;
-            if (touch.other >= 0) nearest_[index] = touch.other;
             const int other = touch.other < 0 ? no_solid : piece(touch.other).solid;
             // What was drawn into another solid has left it once it is in front of it.
             if (start_[index].solid != other || touch.is_apart) start_[index] = {};
@@ -179,15 +188,17 @@ void SurfaceContact::find_touches(double margin) {
 }
 
 void SurfaceContact::find_touched_controls() {
+    for (const int control : touched_controls_) is_touched_[index_of(control)] = false;
     touched_controls_.clear();
     for (const Touch& touch : touches_)
         for (const int number : {touch.own, touch.other}) {
             const auto& of = piece(number);
-            if (of.is_wall) continue;
-            for (std::size_t c = 0; c < of.now.controls(); ++c) touched_controls_.push_back(of.control[c]);
+            for (std::size_t c = 0; c < of.now.controls() && !of.is_wall; ++c) {
+                if (is_touched_[index_of(of.control[c])]) continue;
+                is_touched_[index_of(of.control[c])] = true;
+                touched_controls_.push_back(of.control[c]);
+            }
         }
-    std::ranges::sort(touched_controls_);
-    touched_controls_.erase(std::unique(touched_controls_.begin(), touched_controls_.end()), touched_controls_.end());
 }
 
 /// [m/s]

@@ -153,8 +153,13 @@ class SurfaceContact {
     };
     [[nodiscard]] Nearest nearest_to(int piece, std::size_t number) const;
     [[nodiscard]] Touch touch_of(int piece, std::size_t number, double margin) const;
-    void find_clearance();
-    [[nodiscard]] double clearance_of(int piece, std::size_t number) const;
+    /// What is near a point when the pairs are found.
+    struct Near {
+        double clearance = 0;                   ///< how far it is from the others; 0 where it is behind one [m]
+        std::vector<PiecePairs::Other> others;  ///< that may be nearest until they are found anew, nearest first
+    };
+    void find_pairs();
+    [[nodiscard]] Near near_to(int piece, std::size_t number) const;
     [[nodiscard]] double gap_at(const Vec& from, int piece, const PiecePlace& place, const Vec& shift,
                                 Vec& normal) const;
     [[nodiscard]] double stiffness_of(int piece, int other) const;
@@ -190,15 +195,14 @@ class SurfaceContact {
 
     std::vector<Vec> position_, velocity_, force_;       ///< by unknown
     std::vector<Vec> control_velocity_, control_force_;  ///< by control point; of those of touched pieces
-    std::vector<int> touched_controls_;                  ///< theirs, ascending; not those of walls
+    std::vector<int> touched_controls_;                  ///< theirs, in the order of the touches; not those of walls
+    std::vector<bool> is_touched_;                       ///< by control point: whether it is one of them
     std::vector<double> inverse_mass_;
     std::vector<bool> touched_bodies_;
     const WallMotion* walls_ = nullptr;  ///< of the present step, with its time and length [s]
     double t_ = 0, dt_ = 0;
     std::vector<Touch> touches_;         ///< by piece and point
-    std::vector<double> clearance_;      ///< by point of all pieces: how far it was from others when the pairs
-                                         ///< were found; 0 where it was behind one [m]
-    std::vector<int> nearest_;           ///< likewise: the piece that was nearest at last, where a search begins
+    std::vector<Near> near_;             ///< by point of all pieces
     std::vector<int> examined_;          ///< pieces whose points may remember something
     std::vector<Memory> memory_;         ///< by point of all pieces
     std::vector<Start> start_;           ///< likewise

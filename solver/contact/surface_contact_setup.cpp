@@ -42,8 +42,7 @@ SurfaceContact::SurfaceContact(const Scene& scene, const ParticleSet& set, const
     const std::size_t points = surfaces_.pieces().size() * surfaces_.points().size();
     memory_.resize(points);
     start_.resize(points);
-    clearance_.resize(points);
-    nearest_.resize(points, -1);
+    near_.resize(points);
     on_walls_.resize(surfaces_.pieces().size());
     impulse_on_walls_.resize(surfaces_.pieces().size(), Vec::Zero());
     find_bodies(bodies);
@@ -60,6 +59,7 @@ void SurfaceContact::find_bodies(const SpringBodies& bodies) {
     control_force_ = control_velocity_;
     touches_.clear();
     touched_controls_.clear();
+    is_touched_.assign(surfaces_.controls(), false);
     inverse_mass_.clear();
     for (const auto& body : bodies.bodies())
         for (std::size_t n = 0; n < body->unknowns(); ++n)
@@ -183,7 +183,7 @@ double SurfaceContact::step_limit() const {
 void SurfaceContact::find_start(const Scene& scene, const SpringBodies& bodies) {
     read_bodies(bodies);
     surfaces_.place(position_, nullptr, threads_);
-    if (pairs_.update(surfaces_)) find_clearance();
+    find_pairs();
     find_touches(0);
     const auto is_held = [&](int number, const PiecePlace& place) {
         const auto& of = piece(number);

@@ -11,7 +11,8 @@ namespace dmp::solver {
 namespace {
 
 constexpr int most_iterations = 12;
-constexpr double enough = 1e-15;
+/// Newton's method doubles the digits: after a step as small as this there is nothing left to do.
+constexpr double enough = 1e-8;
 /// Away from the centre of curvature the distance has one minimum; near it Newton's step is cut short: its slope is at
 /// least this, relative to that of a flat piece.
 constexpr double least_slope = 0.3;
@@ -99,11 +100,13 @@ PiecePlace SurfacePiece::nearest(const Vec& point) const {
     return {1 - t, t, 0};
 }
 
-/// Newton's method inside the triangle; where it leads out, the nearest place of the three edges.
+/// Newton's method inside the triangle; where it leads out, the nearest place of the border.
 PiecePlace SurfacePiece::nearest_on_triangle(const Vec& point) const {
     const Vec bend_b = 2 * (control[1] - 2 * control[3] + control[0]);
     const Vec bend_c = 2 * (control[2] - 2 * control[5] + control[0]);
     const Vec twist = 2 * (control[4] - control[3] - control[5] + control[0]);
+    const double bend = std::max({bend_b.squaredNorm(), bend_c.squaredNorm(), twist.squaredNorm()});
+    const bool is_flat = bend <= 1e-24 * (control[1] - control[0]).squaredNorm();
     PiecePlace place = middle();
     for (int k = 0; k < most_iterations; ++k) {
         const Vec off = at(place) - point;
@@ -134,22 +137,33 @@ PiecePlace SurfacePiece::nearest_on_triangle(const Vec& point) const {
             place[out] = 0;
             continue;
         }
-        if (std::abs(step[0]) + std::abs(step[1]) <= 1e-14) return place;
+        if (is_flat || std::abs(step[0]) + std::abs(step[1]) <= enough) return place;
     }
-    const bool is_inside = place[0] > 0 && place[1] > 0 && place[2] > 0;
-    PiecePlace best = place;
-    double nearest = is_inside ? (at(place) - point).squaredNorm() : std::numeric_limits<double>::infinity();
-    for (std::size_t edge = 0; edge < 3; ++edge) {
+    return nearest_on_border(point, place);
+}
+
+/// Of a triangle, from a place on it: first on the edge where that is, and on the others if its nearest place is a
+/// corner.
+PiecePlace SurfacePiece::nearest_on_border(const Vec& point, const PiecePlace& from) const {
+    PiecePlace best = from;
+    double nearest = (at(from) - point).squaredNorm();
+    bool is_corner = true;
+    const auto look = [&](std::size_t edge) {
         const std::size_t next = (edge + 1) % 3;
         const double t = nearest_on_curve(control[edge], control[3 + edge], control[next], point);
         PiecePlace on_edge{};
         on_edge[edge] = 1 - t;
         on_edge[next] = t;
         const double square = (at(on_edge) - point).squaredNorm();
-        if (!(square < nearest)) continue;
+        if (square > nearest) return;
         nearest = square;
         best = on_edge;
-    }
+        is_corner = t == 0 || t == 1;
+    };
+    const auto zero = static_cast<std::size_t>(std::ranges::min_element(from) - from.begin());
+    look((zero + 1) % 3);
+    if (is_corner)
+        for (const std::size_t edge : {zero, (zero + 2) % 3}) look(edge);
     return best;
 }
 

@@ -59,6 +59,7 @@ struct SurfacePiece {
 
   private:
     [[nodiscard]] PiecePlace nearest_on_triangle(const Vec& point) const;
+    [[nodiscard]] PiecePlace nearest_on_border(const Vec& point, const PiecePlace& from) const;
 };
 
 /// A point at which a piece is sampled, with its share of the piece's measure().
