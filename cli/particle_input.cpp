@@ -34,7 +34,7 @@ bool matters(const std::string& table, const std::string& key) {
     if (table == "box") return true;
     if (table == "join") return key != "damping";
     if (table == "flow") return key == "periodic" || key == "symmetry";
-    if (table == "contact") return key == "range";
+    if (table == "contact") return key == "range" || key == "between";
     if (table == "numerics") return key == "support";
     constexpr std::array others{"viscosity",
                                 "bond_damping",

@@ -130,6 +130,7 @@ class Remesher {
         // By patches: the nearest triangle may be on the other side of something thin.
         const auto on_the_piece = [&](const Mesh::Vertex_index at) {
             const Kernel::Point_3& point = mesh->point(at);
+            if (mesh->is_border(mesh->halfedge(at))) return point;
             const auto of_patch = static_cast<std::size_t>(patch[mesh->face(mesh->halfedge(at))]);
             const auto found = drawn_.at(of_patch).nearest({point.x(), point.y(), point.z()});
             return found ? Kernel::Point_3(found->point.x(), found->point.y(), found->point.z()) : point;

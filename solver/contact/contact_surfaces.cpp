@@ -92,18 +92,24 @@ Vec ContactSurfaces::normal_at_border(int number, const PiecePlace& place) const
     for (std::size_t k = first_piece_at_[static_cast<std::size_t>(control)];
          k < first_piece_at_[static_cast<std::size_t>(control) + 1]; ++k) {
         const Piece& other = pieces_[static_cast<std::size_t>(pieces_at_[k])];
+        if (!other.is_there) continue;
         PiecePlace there{};
         for (std::size_t a = 0; a < corners_; ++a)
             for (std::size_t b = 0; b < corners_; ++b)
                 if (other.control[b] == piece.control[a]) there[b] = place[a];
-        sum += other.now.normal(there);
+        sum += other.now.angle_at(there) * other.now.normal(there);
     }
     return sum;
 }
 
 bool ContactSurfaces::is_end(int number, const PiecePlace& place) const {
     const int control = control_at(pieces_[static_cast<std::size_t>(number)], place);
-    return control >= 0 && is_end_[static_cast<std::size_t>(control)];
+    if (control < 0) return false;
+    const auto at = static_cast<std::size_t>(control);
+    if (is_end_[at]) return true;
+    return std::any_of(pieces_at_.begin() + static_cast<std::ptrdiff_t>(first_piece_at_[at]),
+                       pieces_at_.begin() + static_cast<std::ptrdiff_t>(first_piece_at_[at + 1]),
+                       [&](int piece) { return !pieces_[static_cast<std::size_t>(piece)].is_there; });
 }
 
 ContactSurfaces::Weight ContactSurfaces::weight(const Piece& piece, const PiecePlace& place) {
@@ -228,13 +234,44 @@ void ContactSurfaces::find_bodies(const SpringBodies& bodies) {
         for (std::size_t k = 0; k < piece.now.controls(); ++k) {
             const auto c = static_cast<std::size_t>(piece.control[k]);
             piece.is_there = piece.is_there && !is_torn[c] && body_[c] == body_of(piece.control[0]);
-            for (const auto& [unknown, share] : carriers(piece.control[k])) {
-                const auto body = static_cast<std::size_t>(body_[c]);
-                const std::size_t of_body = static_cast<std::size_t>(unknown) - first_unknown_[body];
-                piece.is_held = piece.is_held && bodies.bodies()[body]->unknown_fixed(of_body);
-            }
+            for (const auto& [unknown, share] : carriers(piece.control[k]))
+                piece.is_held = piece.is_held && is_fixed(bodies, body_[c], unknown);
         }
     }
+    find_roots(bodies);
+}
+
+/// Pieces near where their body is held, as a leaflet at its root: near a control point that held unknowns carry.
+void ContactSurfaces::find_roots(const SpringBodies& bodies) {
+    constexpr double least_held = 0.25;
+    Coordinates places;
+    std::size_t count = 0;
+    for (std::size_t c = 0; c < controls_.size(); ++c) {
+        double held = 0;
+        for (const auto& [unknown, share] : carriers(static_cast<int>(c)))
+            if (is_fixed(bodies, body_[c], unknown)) held += share;
+        if (held < least_held) continue;
+        ++count;
+        for (int axis = 0; axis < space_.dimension; ++axis) places[axis].push_back(control_at_rest_[c][axis]);
+    }
+    const double reach = neighbourhood * space_.spacing;
+    const CellGrid grid(places, count, space_.dimension, reach);
+    for (Piece& piece : pieces_) {
+        piece.is_root = false;
+        if (piece.is_wall || count == 0) continue;
+        const Vec at = piece.at_rest.at(piece.at_rest.middle());
+        grid.for_each_near({at[0], at[1], at[2]}, reach, [&](int k) {
+            Vec apart = Vec::Zero();
+            for (int axis = 0; axis < space_.dimension; ++axis)
+                apart[axis] = places[axis][static_cast<std::size_t>(k)] - at[axis];
+            piece.is_root = piece.is_root || apart.norm() < reach;
+        });
+    }
+}
+
+bool ContactSurfaces::is_fixed(const SpringBodies& bodies, int body, int unknown) const {
+    const auto b = static_cast<std::size_t>(body);
+    return bodies.bodies()[b]->unknown_fixed(static_cast<std::size_t>(unknown) - first_unknown_[b]);
 }
 
 void ContactSurfaces::place(std::span<const Vec> position, const WallMotion* walls, int threads) {

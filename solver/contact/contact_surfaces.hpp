@@ -16,6 +16,8 @@ namespace dmp::solver {
 class ContactSurfaces {
   public:
     static constexpr int no_body = -1;
+    /// Neighbours on one surface do not touch, nor what is so near to where it is held the wall there [spacings].
+    static constexpr double neighbourhood = 3;
 
     struct Piece {
         int part = 0;
@@ -23,6 +25,7 @@ class ContactSurfaces {
         bool is_wall = false;
         bool is_there = true;  ///< false where what carries it has torn apart
         bool is_held = false;  ///< whether it is a wall's, or all that carries it is held
+        bool is_root = false;  ///< whether it is near where its body is held
         double thickness = 0;  ///< of the solid behind it [m]
         std::array<int, SurfacePiece::most_controls> control{};  ///< numbers of its control points
         std::array<double, 4> weight{};                          ///< of its points: length, area at rest [m, m^2]
@@ -86,6 +89,8 @@ class ContactSurfaces {
     [[nodiscard]] int control_at(const Piece& piece, const PiecePlace& place) const;
     void find_particles(const ParticleSet& set);
     void find_pieces_at_controls();
+    void find_roots(const SpringBodies& bodies);
+    [[nodiscard]] bool is_fixed(const SpringBodies& bodies, int body, int unknown) const;
 
     ParticleSpace space_;
     std::size_t corners_;

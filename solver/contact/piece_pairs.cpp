@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "particles/cell_grid.hpp"
 
@@ -11,8 +12,6 @@ namespace dmp::solver {
 
 namespace {
 
-/// Neighbours on one surface do not touch [spacings].
-constexpr double neighbourhood = 3;
 /// Normals of pieces that face each other have a cosine below this; surfaces turn little within the skin.
 constexpr double may_face = 0.5;
 
@@ -93,9 +92,17 @@ bool PiecePairs::update(const ContactSurfaces& surfaces) {
         }
     const CellGrid grid(places, pieces.size() + images.size(), space_.dimension, reach);
 
+    // Held pieces, as those of a vessel, meet only what is free.
+    std::vector<bool> is_seen(pieces.size(), false);
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+        if (pieces[k].is_there && !pieces[k].is_held)
+            grid.for_each_near({inside[k][0], inside[k][1], inside[k][2]}, reach, [&](int point) {
+                const auto p = static_cast<std::size_t>(point);
+                is_seen[p < pieces.size() ? p : static_cast<std::size_t>(images[p - pieces.size()].source)] = true;
+            });
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const auto& own = pieces[k];
-        if (own.is_there)
+        if (own.is_there && (!own.is_held || is_seen[k]))
             grid.for_each_near({inside[k][0], inside[k][1], inside[k][2]}, reach, [&](int point) {
                 const auto p = static_cast<std::size_t>(point);
                 const std::size_t j =
@@ -109,9 +116,9 @@ bool PiecePairs::update(const ContactSurfaces& surfaces) {
                 const double far = radii[k] + radii[j] + deepest_ + skin * space_.spacing;
                 if (!((place - inside[k]).squaredNorm() < far * far)) return;
                 if (normals[k].dot(normals[j]) > may_face) return;
-                if (own.solid == other.solid) {
+                if (own.solid == other.solid || (own.is_wall && other.is_root) || (other.is_wall && own.is_root)) {
                     const Vec apart = nearest_image(at_rest[k] - at_rest[j], space_);
-                    if (apart.norm() < neighbourhood * space_.spacing) return;
+                    if (apart.norm() < ContactSurfaces::neighbourhood * space_.spacing) return;
                 }
                 // From the image beside this piece to where the other is, and from this piece to where it is.
                 Vec shift = (middles[k] - inside[k]) - (middles[j] - place);
@@ -122,7 +129,10 @@ bool PiecePairs::update(const ContactSurfaces& surfaces) {
                 others_.push_back({static_cast<int>(j), shift});
             });
         const auto begin = others_.begin() + static_cast<std::ptrdiff_t>(first_.back());
-        std::sort(begin, others_.end(), [](const Other& a, const Other& b) { return a.piece < b.piece; });
+        std::sort(begin, others_.end(), [](const Other& a, const Other& b) {
+            return std::tuple(a.piece, a.shift[0], a.shift[1], a.shift[2]) <
+                   std::tuple(b.piece, b.shift[0], b.shift[1], b.shift[2]);
+        });
         if (others_.size() > first_.back()) active_.push_back(static_cast<int>(k));
         first_.push_back(others_.size());
     }

@@ -9,8 +9,8 @@
 namespace dmp::solver {
 
 /// Which pieces of the surfaces may touch before they have moved by half the skin: those that are near and face each
-/// other, one of them free to move, but not neighbours on one surface, which are nearer than three spacings in the
-/// undeformed part.
+/// other, one of them free to move; but not neighbours on one surface, which are nearer than three spacings in the
+/// undeformed part, nor a wall and what is held so near to it.
 class PiecePairs {
   public:
     struct Other {

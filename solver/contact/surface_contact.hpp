@@ -91,7 +91,7 @@ class SurfaceContact {
     /// deep.
     [[nodiscard]] Sums sums(const std::string& part, const std::string& against) const;
 
-    /// Over the run so far.
+    /// Of touches, over the run so far.
     struct Deepest {
         double depth = 0;         ///< [m]
         double time = 0;          ///< [s]
@@ -99,6 +99,9 @@ class SurfaceContact {
         std::array<int, 2> parts{};
     };
     [[nodiscard]] const Deepest& deepest() const { return deepest_of_all_; }
+
+    /// Of points that are behind a surface of another solid now, also where contact does not see them: up to a spacing.
+    [[nodiscard]] Deepest passed() const;
 
     void archive(Archive& file);
 
@@ -160,6 +163,7 @@ class SurfaceContact {
     };
     void find_pairs();
     [[nodiscard]] Near near_to(int piece, std::size_t number) const;
+    [[nodiscard]] double depth_behind(int piece, std::size_t number, int& nearest_piece) const;
     [[nodiscard]] double gap_at(const Vec& from, int piece, const PiecePlace& place, const Vec& shift,
                                 Vec& normal) const;
     [[nodiscard]] double stiffness_of(int piece, int other) const;
@@ -206,6 +210,7 @@ class SurfaceContact {
     std::vector<int> examined_;          ///< pieces whose points may remember something
     std::vector<Memory> memory_;         ///< by point of all pieces
     std::vector<Start> start_;           ///< likewise
+    std::vector<bool> is_drawn_inside_;  ///< likewise: whether it was drawn behind a surface
     std::vector<Vec> on_walls_;          ///< by piece [N]
     std::vector<Vec> impulse_on_walls_;  ///< by piece, in this step [N s]
     Deepest deepest_of_all_;

@@ -43,6 +43,7 @@ SurfaceContact::SurfaceContact(const Scene& scene, const ParticleSet& set, const
     memory_.resize(points);
     start_.resize(points);
     near_.resize(points);
+    is_drawn_inside_.resize(points, false);
     on_walls_.resize(surfaces_.pieces().size());
     impulse_on_walls_.resize(surfaces_.pieces().size(), Vec::Zero());
     find_bodies(bodies);
@@ -207,6 +208,11 @@ void SurfaceContact::find_start(const Scene& scene, const SpringBodies& bodies) 
                          "draw them apart, or write [contact] between = \"particles\"");
     }
     start_ = starts;
+    for (const int number : pairs_.active())
+        for (std::size_t p = 0; p < surfaces_.points().size(); ++p) {
+            int other = -1;
+            is_drawn_inside_[index_of(number, p)] = depth_behind(number, p, other) > 0;
+        }
     touches_.clear();
     for (Memory& memory : memory_) memory = {};
 }

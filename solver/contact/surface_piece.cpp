@@ -4,7 +4,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace dmp::solver {
 
@@ -67,6 +66,13 @@ Vec SurfacePiece::normal(const PiecePlace& place) const {
     const Vec across = corners == 2 ? Vec(along[1], -along[0], 0) : Vec(along.cross(other));
     const double size = across.norm();
     return size > 0 ? Vec(across / size) : Vec(Vec::Zero());
+}
+
+double SurfacePiece::angle_at(const PiecePlace& place) const {
+    const auto corner = static_cast<std::size_t>(std::ranges::max_element(place) - place.begin());
+    if (corners == 2 || place[corner] != 1) return 1;
+    const Vec a = control[(corner + 1) % 3] - control[corner], b = control[(corner + 2) % 3] - control[corner];
+    return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 double SurfacePiece::measure(const PiecePlace& place) const {

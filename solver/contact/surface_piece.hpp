@@ -45,6 +45,8 @@ struct SurfacePiece {
     [[nodiscard]] std::array<Vec, 2> tangents(const PiecePlace& place) const;
     /// Unit vector out of the solid; zero where the piece has collapsed.
     [[nodiscard]] Vec normal(const PiecePlace& place) const;
+    /// The weight of the normal there where pieces meet: at a corner of a triangle its angle, else 1 [rad].
+    [[nodiscard]] double angle_at(const PiecePlace& place) const;
     /// Length, or area, per share of the second (and third) corner, such that that of the whole is the mean of it [m,
     /// m^2].
     [[nodiscard]] double measure(const PiecePlace& place) const;

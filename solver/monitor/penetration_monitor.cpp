@@ -151,8 +151,7 @@ std::optional<Penetration> penetration(const Scene& scene, const SolidFields& no
     if (knows_surface && std::isfinite(near.behind) && near.behind > 0.5 * spacing && near.goes_on())
         return Penetration{near.behind, distance};
     // The repulsion never lets them come so near if it is strong enough.
-    if (!scene.has_surface_contact() && distance < std::min(0.4 * spacing, 0.57 * range))
-        return Penetration{0, distance};
+    if (distance < std::min(0.4 * spacing, 0.57 * range)) return Penetration{0, distance};
     return {};
 }
 
@@ -173,8 +172,10 @@ std::optional<Warning> PenetrationMonitor::look(const ParticleStore& particles, 
                                                 const SurfaceContact* surfaces, const Ranks& ranks, double t) {
     if (!part_.empty()) return {};
     const auto name = [&](std::int64_t part) { return particles.space().parts[static_cast<std::size_t>(part)].name; };
-    if (surfaces != nullptr && surfaces->deepest().depth > 0.5 * scene_.particles.spacing) {
-        const SurfaceContact::Deepest& deepest = surfaces->deepest();
+    if (surfaces != nullptr) {
+        const SurfaceContact::Deepest touched = surfaces->deepest(), passed = surfaces->passed();
+        const SurfaceContact::Deepest& deepest = touched.depth > passed.depth ? touched : passed;
+        if (!(deepest.depth > 0.5 * scene_.particles.spacing)) return {};
         part_ = name(deepest.parts[0]);
         other_ = name(deepest.parts[1]);
         time_ = deepest.time;

@@ -21,9 +21,10 @@ class SurfaceContact;
 
 /// Looks for particles of elastic solids that have passed into another solid: those more than half a spacing behind the
 /// surface of a wall or of another body, or nearer than 0.4 spacings to one of its particles (0.57 of a short range).
-/// Contact keeps them in front of it; where surfaces touch, particles may be nearer to each other. Particles nearer
+/// Contact keeps them in front of it. Particles nearer
 /// than 1.2 spacings to a wall at the start, as where a solid is held, do not count, nor do those that are in another
 /// solid then. Where bodies change, pieces of one part are not told from each other, and torn bodies have no surface.
+/// Where bodies touch as their surfaces, those say it instead (SurfaceContact::deepest).
 class PenetrationMonitor {
   public:
     /// @param strength of the contact's repulsion [J]
@@ -35,7 +36,7 @@ class PenetrationMonitor {
     void start(const ParticleStore& particles, const ClusterList& list, const Ranks& ranks);
     /// Looks at the state at time t [s], until something has passed into a solid: then it returns the warning. All
     /// ranks take part. @param list as of positions near those of now
-    /// @param surfaces where they touch, in place of particles: then what they say counts, too
+    /// @param surfaces where they touch, in place of particles: then what they say counts
     std::optional<Warning> look(const ParticleStore& particles, const ClusterList& list, const SurfaceContact* surfaces,
                                 const Ranks& ranks, double t);
 

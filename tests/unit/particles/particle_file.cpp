@@ -149,7 +149,7 @@ TEST_F(ParticleFile, GivesSpheresAndTheirWallsBack) {
 TEST_F(ParticleFile, GivesTheSurfacesThatTouchBackAndRefusesThoseThatAreNone) {
     ParticleSet written = some_spheres();
     written.contact_points = {Vec(1, 2, 0), Vec(3, 4, 0), Vec(5, 6, 0)};
-    written.contact_pieces = {{1, 0, 1, ContactPiece::none, 0.25}, {1, 1, 2, 0, 0.5}};
+    written.contact_pieces = {{1, 0, 1, 2, 0.25}, {1, 1, 2, 0, 0.5}};
     write_particles(file_, written);
     const ParticleSet read = read_particles(file_);
     EXPECT_EQ(read.contact_points, written.contact_points);
