@@ -97,7 +97,7 @@ class AreaSurface {
 class VolumeSurface {
   public:
     VolumeSurface(const TriangleSurface& surface, const ParticleSpace& space)
-        : space_(space), surface_(drawn(surface, space)), nearest_(surface_, reach * space.spacing) {}
+        : space_(space), surface_(without_open_sides(surface, space)), nearest_(surface_, reach * space.spacing) {}
 
     [[nodiscard]] std::optional<Nearest> operator()(const Vec& point) const {
         std::optional<SurfacePoint> best;
@@ -120,16 +120,6 @@ class VolumeSurface {
     }
 
   private:
-    static TriangleSurface drawn(const TriangleSurface& whole, const ParticleSpace& space) {
-        TriangleSurface surface = whole;
-        std::erase_if(surface.triangles, [&](const auto& triangle) {
-            std::vector<Vec> corners;
-            for (const int corner : triangle) corners.push_back(whole.corners[static_cast<std::size_t>(corner)]);
-            return on_open_side(corners, space);
-        });
-        return surface;
-    }
-
     const ParticleSpace& space_;
     TriangleSurface surface_;
     NearestTriangle nearest_;

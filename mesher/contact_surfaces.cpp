@@ -14,8 +14,6 @@ namespace dmp::mesher {
 
 namespace {
 
-/// Contact looks no farther into a solid than this [spacings].
-constexpr double deepest = 3;
 /// Pieces are at most this long, and no shorter than half of it where the curve goes on smoothly [spacings].
 constexpr double longest_piece = 1;
 /// Beyond it a point is a corner [rad].
@@ -104,7 +102,7 @@ class LineWriter {
     /// leaves it.
     void find_thickness(std::size_t first) {
         std::vector<ContactPiece>& pieces = set_.contact_pieces;
-        const double far = deepest * set_.spacing;
+        const double far = farthest_behind * set_.spacing;
         for (std::size_t k = first; k < pieces.size(); ++k) {
             const Vec along = end(pieces[k]) - start(pieces[k]);
             const Vec from = start(pieces[k]) + 0.5 * along, inward = left_of(along.normalized());

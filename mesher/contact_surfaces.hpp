@@ -5,6 +5,9 @@
 
 namespace dmp::mesher {
 
+/// Contact looks no farther into a solid than this [spacings].
+inline constexpr double farthest_behind = 3;
+
 /// Draws the surfaces that touch, where the scene wants surfaces to. In 3-D as triangles (contact_triangles.hpp), in
 /// 2-D in pieces of at most a spacing: outlines of elastic areas without what lies on periodic sides and planes of
 /// symmetry; of strips both sides, half their thickness from the middle, and the ends; of walls the sides on which

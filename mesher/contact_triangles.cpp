@@ -16,6 +16,7 @@
 #include "geometry/thickened_sheet.hpp"
 #include "geometry/triangle_tree.hpp"
 #include "geometry/winding_number.hpp"
+#include "mesher/contact_surfaces.hpp"
 #include "mesher/open_sides.hpp"
 
 namespace dmp::mesher {
@@ -24,8 +25,6 @@ namespace {
 
 /// Edges are to be this long, and are no longer than that [spacings].
 constexpr double edge_wanted = 0.75, edge_allowed = 1;
-/// Contact looks no farther into a solid than this [spacings].
-constexpr double farthest_behind = 3;
 /// How far in front of a wall liquid is looked for [spacings].
 constexpr double off_the_wall = 0.05;
 /// A triangle with less area touches nothing [spacings^2].
@@ -46,16 +45,6 @@ Vec facing_of(const TriangleSurface& surface, std::size_t triangle) {
 Vec middle_of(const TriangleSurface& surface, std::size_t triangle) {
     const auto [a, b, c] = corners_of(surface, triangle);
     return (a + b + c) / 3;
-}
-
-TriangleSurface without_open_sides(TriangleSurface surface, const ParticleSpace& space) {
-    std::erase_if(surface.triangles, [&](const std::array<int, 3>& triangle) {
-        std::array<Vec, 3> corners;
-        std::ranges::transform(triangle, corners.begin(),
-                               [&](int corner) { return surface.corners[static_cast<std::size_t>(corner)]; });
-        return on_open_side(corners, space);
-    });
-    return surface;
 }
 
 TriangleSurface in_pieces_of_contact(const TriangleSurface& drawn, double spacing) {

@@ -2,6 +2,7 @@
 #include "mesher/open_sides.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace dmp::mesher {
@@ -17,6 +18,16 @@ bool on_open_side(std::span<const Vec> points, const ParticleSpace& space) {
                 return true;
         }
     return false;
+}
+
+TriangleSurface without_open_sides(TriangleSurface surface, const ParticleSpace& space) {
+    std::erase_if(surface.triangles, [&](const std::array<int, 3>& triangle) {
+        std::array<Vec, 3> corners;
+        std::ranges::transform(triangle, corners.begin(),
+                               [&](int corner) { return surface.corners[static_cast<std::size_t>(corner)]; });
+        return on_open_side(corners, space);
+    });
+    return surface;
 }
 
 }  // namespace dmp::mesher

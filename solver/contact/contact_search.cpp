@@ -59,7 +59,6 @@ SurfaceContact::Near SurfaceContact::near_to(int number, std::size_t point) cons
     const PiecePlace& at_own = surfaces_.points()[point].place;
     const Vec from = piece(number).now.at(at_own), facing_from = piece(number).now.normal(at_own);
     Near near;
-    near.clearance = deepest_;
     std::vector<std::pair<double, PiecePairs::Other>> found;
     double nearest_that_faces = deepest_, nearest = deepest_;
     bool is_behind = false;
@@ -123,7 +122,7 @@ SurfaceContact::Deepest SurfaceContact::passed() const {
     for (const int number : pairs_.active())
         for (std::size_t p = 0; p < surfaces_.points().size(); ++p) {
             const std::size_t index = index_of(number, p);
-            if (near_[index].clearance > 0 && near_[index].clearance > PiecePairs::skin * space_.spacing) continue;
+            if (near_[index].clearance > PiecePairs::skin * space_.spacing) continue;
             int other = -1;
             const double depth = depth_behind(number, p, other);
             // No deeper than the solid is thick.

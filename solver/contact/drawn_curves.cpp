@@ -2,16 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "solver/contact/drawn_surfaces.hpp"
 
 namespace dmp::solver {
 
 namespace {
-
-/// A point where the curve turns by more is a corner; by less it is straight there [rad].
-constexpr double corner_of_curve = 30 * std::numbers::pi / 180, straight_curve = 1e-4;
 
 class CurveDrawing {
   public:
@@ -40,7 +36,7 @@ class CurveDrawing {
     }
     [[nodiscard]] bool is_inside(int point) const { return before(point) >= 0 && after(point) >= 0; }
     [[nodiscard]] bool is_smooth(int point) const {
-        return is_inside(point) && std::abs(turn(point)) > straight_curve && std::abs(turn(point)) < corner_of_curve;
+        return is_inside(point) && std::abs(turn(point)) > straight_turn && std::abs(turn(point)) < sharp_turn;
     }
     /// So that the curve goes through the drawn points.
     [[nodiscard]] OfPoints control_of(int point) const {
@@ -87,7 +83,7 @@ DrawnSurfaces CurveDrawing::draw() {
     for (std::size_t k = 0; k < drawn_.controls.size(); ++k) {
         const int point = drawn_.controls[k].front().first;
         const bool is_point = drawn_.controls[k].size() == 1;
-        drawn_.is_sharp.push_back(is_point && is_inside(point) && turn(point) >= corner_of_curve);
+        drawn_.is_sharp.push_back(is_point && is_inside(point) && turn(point) >= sharp_turn);
         drawn_.is_end.push_back(drawn_.is_sharp.back() || pieces_at[k] < 2);
     }
     return drawn_;

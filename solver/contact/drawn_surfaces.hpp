@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "solver/uses.hpp"
 
 namespace dmp::solver {
+
+/// Where a surface turns by more it has a corner, or an edge; by less it is straight there, or flat [rad].
+inline constexpr double sharp_turn = 30 * std::numbers::pi / 180, straight_turn = 1e-4;
 
 /// The drawn surfaces that touch as smooth pieces between corners, or edges (30 degrees). Control points are shares of
 /// drawn points; pieces that meet at an end, or at an edge, share its control points.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 
 #include "solver/contact/drawn_surfaces.hpp"
@@ -11,9 +10,6 @@
 namespace dmp::solver {
 
 namespace {
-
-/// An edge where the surface turns by more is sharp; by less it is flat there [rad].
-constexpr double sharp_edge = 30 * std::numbers::pi / 180, flat_edge = 1e-4;
 
 class TriangleDrawing {
   public:
@@ -79,8 +75,8 @@ void TriangleDrawing::judge(Edge& edge) const {
     }
     const Vec first = normal(edge.triangles[0]), second = normal(edge.triangles[1]);
     const double turn = std::atan2(first.cross(second).norm(), first.dot(second));
-    edge.is_level = turn < flat_edge;
-    edge.is_sharp = turn > sharp_edge;
+    edge.is_level = turn < straight_turn;
+    edge.is_sharp = turn > sharp_turn;
     if (!edge.is_sharp) return;
     for (const int corner : corners(edge.triangles[1]))
         if (corner != edge.a && corner != edge.b) edge.sticks_out = (at(corner) - at(edge.a)).dot(first) < 0;

@@ -91,7 +91,8 @@ void FluidRun::start(FrameSink* sink) {
     if (step_ == 0) fluid_.take_initial_gradients(time_);
     if (step_ == 0) fluid_.find_chambers();
     if (step_ == 0) fluid_.update_contact_rate();
-    if (watches_contact() && step_ == 0) penetration_.start(particles_, fluid_.neighbours().list(), ranks_);
+    if (watches_contact() && !settings_.surface_contact && step_ == 0)
+        penetration_.start(particles_, fluid_.neighbours().list(), ranks_);
     extremes_ = fluid_.extremes();
     if (step_ == 0) write_what_is_due(sink);
     if (starts_from_state() && frames_ == 0) start_from_state(sink);

@@ -140,15 +140,15 @@ TEST(DrawnSurfaces, of_a_ball_come_near_to_it_with_the_third_power_and_their_nor
             }
         }
         if (place_before > 0) {
-            EXPECT_LT(off, place_before / 7);
-            EXPECT_LT(turned, normal_before / 3.4);
+            EXPECT_LT(off, place_before / 10);
+            EXPECT_LT(turned, normal_before / 5);
         }
         place_before = off;
         normal_before = turned;
         EXPECT_EQ(std::ranges::count(drawn.is_end, true), 0);
     }
-    EXPECT_LT(place_before, 3e-4);   // flat triangles: 4e-3
-    EXPECT_LT(normal_before, 0.02);  // flat triangles: 0.09
+    EXPECT_LT(place_before, 1.5e-4);
+    EXPECT_LT(normal_before, 0.002);
 }
 
 TEST(DrawnSurfaces, of_a_block_stay_flat_and_end_at_its_edges) {
