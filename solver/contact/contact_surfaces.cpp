@@ -68,6 +68,17 @@ void ContactSurfaces::find_pieces_at_controls() {
     for (std::size_t n = 0; n < pieces_.size(); ++n)
         for (std::size_t k = 0; k < shared; ++k)
             pieces_at_[next[static_cast<std::size_t>(pieces_[n].control[k])]++] = static_cast<int>(n);
+    // In 3-D edges that only one triangle has, with their ends.
+    is_border_.assign(controls_.size(), false);
+    for (const Piece& piece : pieces_)
+        for (std::size_t k = 0; k < corners_; ++k) {
+            const int control = piece.control[corners_ == 2 ? k : corners_ + k];
+            if (pieces_at(control).size() > 1) continue;
+            is_border_[static_cast<std::size_t>(control)] = true;
+            if (corners_ == 2) continue;
+            is_border_[static_cast<std::size_t>(piece.control[k])] = true;
+            is_border_[static_cast<std::size_t>(piece.control[(k + 1) % corners_])] = true;
+        }
 }
 
 int ContactSurfaces::control_at(const Piece& piece, const PiecePlace& place) const {
@@ -89,9 +100,8 @@ Vec ContactSurfaces::normal_at_border(int number, const PiecePlace& place) const
     const int control = control_at(piece, place);
     if (control < 0) return piece.now.normal(place);
     Vec sum = Vec::Zero();
-    for (std::size_t k = first_piece_at_[static_cast<std::size_t>(control)];
-         k < first_piece_at_[static_cast<std::size_t>(control) + 1]; ++k) {
-        const Piece& other = pieces_[static_cast<std::size_t>(pieces_at_[k])];
+    for (const int at_control : pieces_at(control)) {
+        const Piece& other = pieces_[static_cast<std::size_t>(at_control)];
         if (!other.is_there) continue;
         PiecePlace there{};
         for (std::size_t a = 0; a < corners_; ++a)
@@ -105,11 +115,9 @@ Vec ContactSurfaces::normal_at_border(int number, const PiecePlace& place) const
 bool ContactSurfaces::is_end(int number, const PiecePlace& place) const {
     const int control = control_at(pieces_[static_cast<std::size_t>(number)], place);
     if (control < 0) return false;
-    const auto at = static_cast<std::size_t>(control);
-    if (is_end_[at]) return true;
-    return std::any_of(pieces_at_.begin() + static_cast<std::ptrdiff_t>(first_piece_at_[at]),
-                       pieces_at_.begin() + static_cast<std::ptrdiff_t>(first_piece_at_[at + 1]),
-                       [&](int piece) { return !pieces_[static_cast<std::size_t>(piece)].is_there; });
+    return is_end_[static_cast<std::size_t>(control)] || std::ranges::any_of(pieces_at(control), [&](int piece) {
+               return !pieces_[static_cast<std::size_t>(piece)].is_there;
+           });
 }
 
 ContactSurfaces::Weight ContactSurfaces::weight(const Piece& piece, const PiecePlace& place) {

@@ -65,6 +65,14 @@ class ContactSurfaces {
     /// Whether there is nothing beyond this place on a piece's border: it sticks out, or the surface ends there.
     [[nodiscard]] bool is_end(int piece, const PiecePlace& place) const;
 
+    /// Pieces that have a control point as a corner, or an edge.
+    [[nodiscard]] std::span<const int> pieces_at(int control) const {
+        const auto at = static_cast<std::size_t>(control);
+        return std::span(pieces_at_).subspan(first_piece_at_[at], first_piece_at_[at + 1] - first_piece_at_[at]);
+    }
+    /// Whether the surface ends at a control point.
+    [[nodiscard]] bool is_border(int control) const { return is_border_[static_cast<std::size_t>(control)]; }
+
     /// The body that carries a control point; no_body: none, it is a wall's.
     [[nodiscard]] int body_of(int control) const { return body_[static_cast<std::size_t>(control)]; }
     struct Share {
@@ -97,6 +105,7 @@ class ContactSurfaces {
     bool walls_move_ = false;
     std::vector<DrawnSurfaces::OfPoints> controls_;
     std::vector<bool> is_end_;          ///< by control point
+    std::vector<bool> is_border_;       ///< by control point
     std::vector<Vec> control_at_rest_;  ///< by control point
     std::vector<Piece> pieces_;
     std::vector<std::vector<int>> particles_near_;  ///< of each drawn point: ids of its part's particles, nearest first

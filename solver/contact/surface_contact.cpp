@@ -50,15 +50,16 @@ double SurfaceContact::stiffness_of(int number, int other) const {
 void SurfaceContact::find_touched_controls() {
     for (const int control : touched_controls_) is_touched_[index_of(control)] = false;
     touched_controls_.clear();
-    for (const Touch& touch : touches_)
-        for (const int number : {touch.own, touch.other}) {
-            const auto& of = piece(number);
-            for (std::size_t c = 0; c < of.now.controls() && !of.is_wall; ++c) {
-                if (is_touched_[index_of(of.control[c])]) continue;
-                is_touched_[index_of(of.control[c])] = true;
-                touched_controls_.push_back(of.control[c]);
+    for (const std::vector<Touch>* touches : {&touches_, &in_films_})
+        for (const Touch& touch : *touches)
+            for (const int number : {touch.own, touch.other}) {
+                const auto& of = piece(number);
+                for (std::size_t c = 0; c < of.now.controls() && !of.is_wall; ++c) {
+                    if (is_touched_[index_of(of.control[c])]) continue;
+                    is_touched_[index_of(of.control[c])] = true;
+                    touched_controls_.push_back(of.control[c]);
+                }
             }
-        }
 }
 
 /// [m/s]
@@ -98,6 +99,7 @@ void SurfaceContact::find_forces(double ahead, bool remembers) {
         control_velocity_[index_of(control)] = surfaces_.carried(control, velocity_);
     }
     for (Touch& touch : touches_) add_force(touch, ahead, remembers);
+    add_film_forces();
     for (const int control : touched_controls_)
         for (const auto& [unknown, share] : surfaces_.carriers(control))
             force_[index_of(unknown)] += share * control_force_[index_of(control)];

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "models/contact/surface_contact.hpp"
 #include "scene/scene.hpp"
 #include "solver/contact/contact_surfaces.hpp"
+#include "solver/contact/liquid_film.hpp"
 #include "solver/contact/piece_pairs.hpp"
 #include "solver/state/archive.hpp"
 #include "solver/store/particle_store.hpp"
@@ -44,8 +46,9 @@ struct ContactImpulses {
 class SurfaceContact {
   public:
     /// @param longest_step that the other limits allow [s]: an automatic stiffness does not shorten it
+    /// @param viscosity of the liquid that fills what is between surfaces; 0: none does [Pa s]
     SurfaceContact(const Scene& scene, const ParticleSet& set, const SpringBodies& bodies, double longest_step,
-                   int threads);
+                   double viscosity, int threads);
 
     /// Bodies have been cut or joined.
     void find_bodies(const SpringBodies& bodies);
@@ -171,6 +174,9 @@ class SurfaceContact {
     void find_forces(double ahead, bool remembers);
     void add_force(Touch& touch, double ahead, bool remembers);
     void remember(const Touch& touch, double gap, const Vec& slip);
+    void find_films();
+    void add_film_forces();
+    [[nodiscard]] std::vector<Vec> past_in_films() const;
     void add_couple(int piece, const Vec& arm, const Vec& force);
     void push(int piece, const PiecePlace& place, const Vec& force);
     [[nodiscard]] Vec velocity_at(int piece, const PiecePlace& place) const;
@@ -193,6 +199,7 @@ class SurfaceContact {
     double deepest_;  ///< how far behind a surface it looks [m]
     ContactSurfaces surfaces_;
     PiecePairs pairs_;
+    std::optional<LiquidFilm> films_;
     std::vector<double> stiffness_;  ///< by part; of walls infinite [Pa/m]
     std::vector<double> rate_;       ///< by part: square of the highest frequency where all of it touches a wall, over
                                      ///< the stiffness [m^2/kg]
@@ -206,6 +213,7 @@ class SurfaceContact {
     const WallMotion* walls_ = nullptr;  ///< of the present step, with its time and length [s]
     double t_ = 0, dt_ = 0;
     std::vector<Touch> touches_;         ///< by piece and point
+    std::vector<Touch> in_films_;        ///< likewise
     std::vector<Near> near_;             ///< by point of all pieces
     std::vector<int> examined_;          ///< pieces whose points may remember something
     std::vector<Memory> memory_;         ///< by point of all pieces

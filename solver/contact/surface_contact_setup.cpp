@@ -16,6 +16,8 @@ namespace {
 
 /// How far behind a surface contact looks [spacings].
 constexpr double looks_behind = 1;
+/// Films that are not thicker than this are not resolved by particles [spacings].
+constexpr double thickest_film = 1;
 /// Surfaces drawn deeper into each other than this overlap; else their contact begins there [spacings].
 constexpr double deepest_start = 0.2;
 /// The time step, or a part of it, as a fraction of the largest stable one.
@@ -29,7 +31,7 @@ ContactStepping stepping_of(const Scene& scene, const SpringBodies& bodies) {
 }  // namespace
 
 SurfaceContact::SurfaceContact(const Scene& scene, const ParticleSet& set, const SpringBodies& bodies,
-                               double longest_step, int threads)
+                               double longest_step, double viscosity, int threads)
     : space_(static_cast<const ParticleSpace&>(set)),
       threads_(threads),
       law_{scene.contact.friction, scene.contact.damping},
@@ -39,6 +41,8 @@ SurfaceContact::SurfaceContact(const Scene& scene, const ParticleSet& set, const
       deepest_(looks_behind * set.spacing),
       surfaces_(set, bodies),
       pairs_(space_, deepest_) {
+    if (viscosity > 0 && stepping_ == ContactStepping::at_end)
+        films_.emplace(LiquidFilmLaw{viscosity, thickest_film * set.spacing}, surfaces_);
     const std::size_t points = surfaces_.pieces().size() * surfaces_.points().size();
     memory_.resize(points);
     start_.resize(points);

@@ -80,15 +80,32 @@ double SurfacePiece::measure(const PiecePlace& place) const {
     return corners == 2 ? along.norm() : 0.5 * along.cross(other).norm();
 }
 
-Vec SurfacePiece::gradient(const PiecePlace& place, const std::array<double, 3>& of_corners) const {
+/// Gradients along the surface of the shares of the second and of the third corner; zero where it has collapsed.
+std::array<Vec, 2> SurfacePiece::corner_slopes(const PiecePlace& place) const {
     const auto [along, other] = tangents(place);
-    const double by_b = of_corners[1] - of_corners[0];
-    if (corners == 2) return by_b / along.squaredNorm() * along;
-    const double by_c = of_corners[2] - of_corners[0];
     const double aa = along.squaredNorm(), ab = along.dot(other), bb = other.squaredNorm();
+    if (corners == 2) return {aa > 0 ? Vec(along / aa) : Vec(Vec::Zero()), Vec::Zero()};
     const double square = aa * bb - ab * ab;
-    if (!(square > 0)) return Vec::Zero();
-    return ((bb * by_b - ab * by_c) * along + (aa * by_c - ab * by_b) * other) / square;
+    if (!(square > 0)) return {Vec::Zero(), Vec::Zero()};
+    return {(bb * along - ab * other) / square, (aa * other - ab * along) / square};
+}
+
+Vec SurfacePiece::gradient(const PiecePlace& place, const std::array<double, 3>& of_corners) const {
+    const auto [of_b, of_c] = corner_slopes(place);
+    return (of_corners[1] - of_corners[0]) * of_b + (of_corners[2] - of_corners[0]) * of_c;
+}
+
+std::array<Vec, SurfacePiece::most_controls> SurfacePiece::share_slopes(const PiecePlace& place) const {
+    const auto [a, b, c] = place;
+    const auto [of_b, of_c] = corner_slopes(place);
+    const Vec of_a = -of_b - of_c;
+    if (corners == 2) return {2 * a * of_a, 2 * b * of_b, 2 * (a * of_b + b * of_a)};
+    return {2 * a * of_a,
+            2 * b * of_b,
+            2 * c * of_c,
+            2 * (a * of_b + b * of_a),
+            2 * (b * of_c + c * of_b),
+            2 * (c * of_a + a * of_c)};
 }
 
 std::pair<Vec, Vec> SurfacePiece::box() const {

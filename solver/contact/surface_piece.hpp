@@ -52,6 +52,8 @@ struct SurfacePiece {
     [[nodiscard]] double measure(const PiecePlace& place) const;
     /// Gradient along the surface of what has these values at the corners and is linear in the shares [1/m].
     [[nodiscard]] Vec gradient(const PiecePlace& place, const std::array<double, 3>& of_corners) const;
+    /// Gradients along the surface of the control points' shares [1/m].
+    [[nodiscard]] std::array<Vec, most_controls> share_slopes(const PiecePlace& place) const;
     /// Low and high corner of a box that holds the piece.
     [[nodiscard]] std::pair<Vec, Vec> box() const;
     /// The place nearest to a point.
@@ -60,6 +62,7 @@ struct SurfacePiece {
     [[nodiscard]] std::array<Vec, 3> couple(const Vec& moment) const;
 
   private:
+    [[nodiscard]] std::array<Vec, 2> corner_slopes(const PiecePlace& place) const;
     [[nodiscard]] PiecePlace nearest_on_triangle(const Vec& point) const;
     [[nodiscard]] PiecePlace nearest_on_border(const Vec& point, const PiecePlace& from) const;
 };

@@ -10,8 +10,10 @@
 namespace dmp::solver {
 
 void FluidStep::start_surface_contact(const Scene& scene, const ParticleSet& set, double longest_step) {
-    if (settings_.surface_contact)
-        surface_contact_ = std::make_unique<SurfaceContact>(scene, set, springs_, longest_step, settings_.threads);
+    if (!settings_.surface_contact) return;
+    const bool fills_all = settings_.subtracts_level && !settings_.dry_bodies;
+    surface_contact_ = std::make_unique<SurfaceContact>(scene, set, springs_, longest_step,
+                                                        fills_all ? settings_.viscosity.largest : 0, settings_.threads);
 }
 
 /// Contact of surfaces: at once, in shorter parts along with the bodies' own step (advance_elastic), or by the places

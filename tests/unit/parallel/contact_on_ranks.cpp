@@ -19,7 +19,7 @@ namespace {
 Meshed falling_disc(const std::string& viscosity_stepping) {
     return mesh_texts(
         {"schema = 1\ntitle = \"disc\"\ndimension = 2\n[geometry]\nfile = \"channel.geo\"\n[particles]\nspacing = \"1 "
-         "mm\"\n[[part]]\nname = \"water\"\nkind = \"fluid\"\ndensity = \"1000 kg/m^3\"\nviscosity = \"50 "
+         "mm\"\n[[part]]\nname = \"water\"\nkind = \"fluid\"\ndensity = \"1000 kg/m^3\"\nviscosity = \"5 "
          "mPa*s\"\n[[part]]\nname = \"disc\"\nkind = \"elastic\"\ndensity = \"3000 kg/m^3\"\nyoungs_modulus = \"0.1 "
          "MPa\"\npoisson_ratio = 0.25\ninitial_velocity = [\"0.3 m/s\", \"-0.4 m/s\"]\n[[part]]\nname = \"wall\"\nkind "
          "= "

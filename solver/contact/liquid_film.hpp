@@ -1,0 +1,68 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <span>
+#include <vector>
+
+#include "models/contact/liquid_film.hpp"
+#include "solver/contact/contact_surfaces.hpp"
+
+namespace dmp::solver {
+
+/// The films of liquid between surfaces that are nearer than particles resolve (models::LiquidFilmLaw). Its pressure is
+/// quadratic on each piece of a surface, with the shares of the piece's control points, and solves Reynolds' equation
+/// at the points of the piece by Galerkin's method: with w the weights of the points and K the conductance,
+///   SUM w K grad N_a . grad N_b p_b = -SUM w (N_a n + h/2 grad N_a) . v     (v: past the other surface)
+/// The tractions p n + h/2 grad p on the points are given by the same terms, so that films only take energy, and the
+/// drag of all of them is a symmetric matrix. p = 0 along the border of the pieces that have points in a film.
+class LiquidFilm {
+  public:
+    LiquidFilm(const LiquidFilmLaw& law, const ContactSurfaces& surfaces);
+
+    /// A point of a piece in front of another surface, with its normal.
+    struct Point {
+        int piece = 0;
+        std::size_t number = 0;  ///< of the point on its piece
+        double gap = 0;          ///< [m]
+        Vec normal = Vec::Zero();
+    };
+    /// The films are between these points, in the order of their pieces, and what they are in front of.
+    void find(std::vector<Point> points);
+    [[nodiscard]] std::span<const Point> points() const { return points_; }
+
+    /// On the points, whose velocities past the other surface are `past`.
+    struct Traction {
+        Vec normal, tangential;  ///< [Pa]
+    };
+    [[nodiscard]] std::vector<Traction> tractions(std::span<const Vec> past) const;
+
+    [[nodiscard]] const LiquidFilmLaw& law() const { return law_; }
+
+  private:
+    static constexpr int none = -1, no_film = -2;
+    using Controls = std::array<double, SurfacePiece::most_controls>;
+    using Slopes = std::array<Vec, SurfacePiece::most_controls>;
+    struct Shapes {
+        std::array<int, SurfacePiece::most_controls> unknown{};  ///< none: p = 0 there
+        Controls shares{};
+        Slopes slopes{};
+        double weight = 0;
+    };
+
+    void number_unknowns();
+    [[nodiscard]] bool is_border(int control) const;
+    [[nodiscard]] Shapes shapes(int piece, std::size_t number) const;
+
+    LiquidFilmLaw law_;
+    const ContactSurfaces& surfaces_;
+    std::vector<Point> points_;
+    std::vector<Shapes> shapes_;  ///< by point
+    std::vector<bool> is_film_;   ///< by piece: whether it has points in a film
+    std::vector<int> unknown_;    ///< by control point
+    std::vector<int> pieces_;     ///< that have points in a film
+    int unknowns_ = 0;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+};
+
+}  // namespace dmp::solver
