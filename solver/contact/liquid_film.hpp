@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -29,7 +30,6 @@ class LiquidFilm {
     };
     /// The films are between these points, in the order of their pieces, and what they are in front of.
     void find(std::vector<Point> points);
-    [[nodiscard]] std::span<const Point> points() const { return points_; }
 
     /// On the points, whose velocities past the other surface are `past`.
     struct Traction {
@@ -40,14 +40,12 @@ class LiquidFilm {
     [[nodiscard]] const LiquidFilmLaw& law() const { return law_; }
 
   private:
-    static constexpr int none = -1, no_film = -2;
-    using Controls = std::array<double, SurfacePiece::most_controls>;
-    using Slopes = std::array<Vec, SurfacePiece::most_controls>;
+    static constexpr int none = -1;
     struct Shapes {
         std::array<int, SurfacePiece::most_controls> unknown{};  ///< none: p = 0 there
-        Controls shares{};
-        Slopes slopes{};
-        double weight = 0;
+        std::array<double, SurfacePiece::most_controls> shares{};
+        std::array<Vec, SurfacePiece::most_controls> slopes{};  ///< [1/m]
+        double weight = 0;                                      ///< [m, m^2]
     };
 
     void number_unknowns();
@@ -59,7 +57,7 @@ class LiquidFilm {
     std::vector<Point> points_;
     std::vector<Shapes> shapes_;  ///< by point
     std::vector<bool> is_film_;   ///< by piece: whether it has points in a film
-    std::vector<int> unknown_;    ///< by control point
+    std::vector<int> unknown_;    ///< by control point: the number of its share in p
     std::vector<int> pieces_;     ///< that have points in a film
     int unknowns_ = 0;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
