@@ -42,7 +42,7 @@ Meshed falling_ball() {
     return mesh_texts(
         {"schema = 1\ntitle = \"ball\"\ndimension = 3\n[geometry]\nfile = \"channel.geo\"\nunit = \"1 "
          "mm\"\n[particles]\nspacing = \"1 mm\"\n[[part]]\nname = \"water\"\nkind = \"fluid\"\ndensity = \"1000 "
-         "kg/m^3\"\nviscosity = \"50 mPa*s\"\n[[part]]\nname = \"ball\"\nkind = \"elastic\"\nmodel = "
+         "kg/m^3\"\nviscosity = \"2 mPa*s\"\n[[part]]\nname = \"ball\"\nkind = \"elastic\"\nmodel = "
          "\"cells\"\ndensity = \"3000 kg/m^3\"\nyoungs_modulus = \"0.1 MPa\"\npoisson_ratio = "
          "0.25\ninitial_velocity = [\"0.3 m/s\", 0, \"-0.4 m/s\"]\n[[part]]\nname = \"wall\"\nkind = "
          "\"rigid\"\n[flow]\nperiodic = [\"x\", \"y\"]\nlargest_speed = \"0.4 m/s\"\n[contact]\nfriction = "
