@@ -25,7 +25,7 @@ TEST(LiquidFilmLaw, flows_by_the_cube_of_its_thickness) {
     EXPECT_DOUBLE_EQ(law.conductance(0.5e-3), 0.125e-9 / (12 * viscosity));
     EXPECT_DOUBLE_EQ(law.drag(0.5e-3), viscosity * (2000 - 1000));
     EXPECT_DOUBLE_EQ(law.drag(1e-3), 0);
-    EXPECT_DOUBLE_EQ(law.thickness(-1e-5), 0.02e-3);  // what touches keeps a film
+    EXPECT_DOUBLE_EQ(law.thickness(-1e-5), 0.1e-3);  // what touches keeps a film
 }
 
 /// Integral over [0, end] by Simpson's rule.
