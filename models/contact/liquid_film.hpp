@@ -15,7 +15,7 @@ struct LiquidFilmLaw {
     double viscosity = 0;  ///< mu [Pa s]
     double thickest = 0;   ///< h_0 [m]
 
-    /// Over h_0. Surfaces that touch keep it; with a fifth of it, contact took hundreds of iterations.
+    /// Over h_0. Surfaces that touch keep it; the thinner it is, the more iterations contact takes.
     static constexpr double roughness = 0.1;
 
     /// h [m]
