@@ -15,8 +15,8 @@ struct LiquidFilmLaw {
     double viscosity = 0;  ///< mu [Pa s]
     double thickest = 0;   ///< h_0 [m]
 
-    /// Over h_0. Surfaces that touch keep it; the thinner it is, the more iterations contact takes.
-    static constexpr double roughness = 0.1;
+    /// Over h_0. Surfaces that touch keep it.
+    static constexpr double roughness = 0.02;
 
     /// h [m]
     [[nodiscard]] double thickness(double gap) const { return std::max(gap, roughness * thickest); }

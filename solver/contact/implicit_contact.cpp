@@ -11,6 +11,8 @@ namespace {
 
 /// In a midpoint step, forces give half of their impulse to its mean velocity (SpringBody::balance).
 constexpr double of_balance = 0.5;
+/// Both surfaces of a film are sampled.
+constexpr double of_films = 0.5;
 
 }  // namespace
 
@@ -65,8 +67,7 @@ void SurfaceContact::add_film_forces() {
     const std::vector<LiquidFilm::Traction> tractions = films_->tractions(past_in_films());
     for (std::size_t k = 0; k < in_films_.size(); ++k) {
         const Touch& touch = in_films_[k];
-        // Both surfaces are sampled.
-        const double area = 0.5 * piece(touch.own).weight[touch.number];
+        const double area = of_films * piece(touch.own).weight[touch.number];
         const auto& [normal, tangential] = tractions[k];
         push(touch.own, place_of(touch), area * (normal + tangential));
         push(touch.other, touch.place, -area * (normal + tangential));
@@ -86,30 +87,18 @@ void SurfaceContact::add_stiffness_times(std::span<const Vec> values, std::span<
         control_velocity_[index_of(control)] = surfaces_.carried(control, values);
         control_force_[index_of(control)] = Vec::Zero();
     }
-    // Of a touch's own piece, and of the other.
-    const auto value_at = [&](int number, const PiecePlace& place) {
-        const auto& of = piece(number);
-        const auto shares = of.now.shares(place);
-        Vec value = Vec::Zero();
-        for (std::size_t c = 0; c < of.now.controls() && !of.is_wall; ++c)
-            value += shares[c] * control_velocity_[index_of(of.control[c])];
-        return value;
-    };
-    const auto hold = [&](int number, const PiecePlace& place, const Vec& held) {
-        const auto& of = piece(number);
-        const auto shares = of.now.shares(place);
-        for (std::size_t c = 0; c < of.now.controls() && !of.is_wall; ++c)
-            control_force_[index_of(of.control[c])] += shares[c] * held;
-    };
     const auto past_of = [&](const Touch& touch) {
-        return Vec(value_at(touch.own, place_of(touch)) - value_at(touch.other, touch.place));
+        return Vec(carried_at(touch.own, place_of(touch)) - carried_at(touch.other, touch.place));
+    };
+    const auto hold = [&](const Touch& touch, const Vec& held) {
+        give(touch.own, place_of(touch), held);
+        give(touch.other, touch.place, -held);
     };
     for (const Touch& touch : touches_) {
         if (touch.normal_slope == 0 && touch.tangent_slope == 0) continue;
         const Vec past = past_of(touch), along_normal = past.dot(touch.normal) * touch.normal;
         const Vec held = touch.normal_slope * along_normal + touch.tangent_slope * (past - along_normal);
-        hold(touch.own, place_of(touch), held);
-        hold(touch.other, touch.place, -held);
+        hold(touch, held);
     }
     if (!in_films_.empty()) {
         std::vector<Vec> past;
@@ -117,16 +106,73 @@ void SurfaceContact::add_stiffness_times(std::span<const Vec> values, std::span<
         const std::vector<LiquidFilm::Traction> tractions = films_->tractions(past);
         for (std::size_t k = 0; k < in_films_.size(); ++k) {
             const Touch& touch = in_films_[k];
-            const Vec held =
-                -0.5 * piece(touch.own).weight[touch.number] * (tractions[k].normal + tractions[k].tangential);
-            hold(touch.own, place_of(touch), held);
-            hold(touch.other, touch.place, -held);
+            hold(touch,
+                 -of_films * piece(touch.own).weight[touch.number] * (tractions[k].normal + tractions[k].tangential));
         }
     }
     for (const int control : touched_controls_)
         for (const auto& [unknown, share] : surfaces_.carriers(control))
             if (inverse_mass_[index_of(unknown)] > 0)
                 image[index_of(unknown)] += of_balance * share * control_force_[index_of(control)];
+}
+
+ContactMatrix SurfaceContact::matrix() const {
+    const int axes = space_.dimension;
+    constexpr int none = -1;
+    std::vector<int> row(surfaces_.controls(), none);
+    for (std::size_t k = 0; k < touched_controls_.size(); ++k)
+        row[index_of(touched_controls_[k])] = static_cast<int>(k) * axes;
+    // Calls visit(its first row, its share in how fast the point passes the other surface) for each control point.
+    const auto for_each_control = [&](const Touch& touch, const auto& visit) {
+        const auto visit_all = [&](int number, const PiecePlace& place, double sign) {
+            const auto& of = piece(number);
+            const auto shares = of.now.shares(place);
+            for (std::size_t c = 0; c < of.now.controls() && !of.is_wall; ++c)
+                visit(row[index_of(of.control[c])], sign * shares[c]);
+        };
+        visit_all(touch.own, place_of(touch), 1);
+        visit_all(touch.other, touch.place, -1);
+    };
+    using Entries = std::vector<Eigen::Triplet<double>>;
+    Entries of_controls, films, carried;
+    const auto add = [&](const Touch& touch, double along_normal, double along_surface) {
+        const Eigen::Matrix3d held = along_surface * Eigen::Matrix3d::Identity() +
+                                     (along_normal - along_surface) * touch.normal * touch.normal.transpose();
+        for_each_control(touch, [&](int a, double of_a) {
+            for_each_control(touch, [&](int b, double of_b) {
+                for (int i = 0; i < axes; ++i)
+                    for (int j = 0; j < axes; ++j) of_controls.emplace_back(a + i, b + j, of_a * of_b * held(i, j));
+            });
+        });
+    };
+    for (const Touch& touch : touches_)
+        if (touch.normal_slope != 0 || touch.tangent_slope != 0) add(touch, touch.normal_slope, touch.tangent_slope);
+    for (std::size_t k = 0; k < in_films_.size(); ++k) {
+        const Touch& touch = in_films_[k];
+        add(touch, 0, of_films * piece(touch.own).weight[touch.number] * films_->law().drag(touch.gap));
+        films_->for_each_pressure(k, [&](int pressure, const Vec& force) {
+            for_each_control(touch, [&](int a, double of_a) {
+                for (int i = 0; i < axes; ++i) films.emplace_back(a + i, pressure, of_a * force[i]);
+            });
+        });
+    }
+    for (const int control : touched_controls_)
+        for (const auto& [unknown, share] : surfaces_.carriers(control))
+            for (int i = 0; i < axes && inverse_mass_[index_of(unknown)] > 0; ++i)
+                carried.emplace_back(row[index_of(control)] + i, unknown * axes + i, share);
+    const auto rows = static_cast<Eigen::Index>(touched_controls_.size()) * axes;
+    const auto made_of = [&](const Entries& entries, Eigen::Index columns) {
+        Eigen::SparseMatrix<double> matrix(rows, columns);
+        matrix.setFromTriplets(entries.begin(), entries.end());
+        return matrix;
+    };
+    const Eigen::SparseMatrix<double> carry = made_of(carried, static_cast<Eigen::Index>(surfaces_.unknowns()) * axes);
+    ContactMatrix matrix;
+    matrix.stiffness = of_balance * carry.transpose() * made_of(of_controls, rows) * carry;
+    if (in_films_.empty()) return matrix;
+    matrix.conductance = films_->conductance() / (of_balance * of_films);
+    matrix.films = carry.transpose() * made_of(films, matrix.conductance.rows());
+    return matrix;
 }
 
 Vec SurfaceContact::press(SpringBodies& bodies) {

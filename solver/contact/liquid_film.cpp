@@ -62,7 +62,7 @@ void LiquidFilm::find(std::vector<Point> points) {
     const auto add = [&](const Shapes& of, double conductance, double leak) {
         for (std::size_t a = 0; a < of.unknown.size(); ++a)
             for (std::size_t b = 0; b < of.unknown.size(); ++b)
-                if (of.unknown[a] != none && of.unknown[b] != none)
+                if (of.unknown[b] != none && of.unknown[a] >= of.unknown[b])
                     entries.emplace_back(of.unknown[a], of.unknown[b],
                                          of.weight * (conductance * of.slopes[a].dot(of.slopes[b]) +
                                                       leak * of.shares[a] * of.shares[b]));
@@ -82,21 +82,15 @@ void LiquidFilm::find(std::vector<Point> points) {
             shapes_.push_back(of);
             ++next;
         }
-    if (unknowns_ == 0) return;
-    Eigen::SparseMatrix<double> matrix(unknowns_, unknowns_);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    solver_.compute(matrix);
+    conductance_.resize(unknowns_, unknowns_);
+    conductance_.setFromTriplets(entries.begin(), entries.end());
+    if (unknowns_ > 0) solver_.compute(conductance_);
 }
 
 std::vector<LiquidFilm::Traction> LiquidFilm::tractions(std::span<const Vec> past) const {
     Eigen::VectorXd pressure = Eigen::VectorXd::Zero(unknowns_);
-    for (std::size_t k = 0; k < points_.size(); ++k) {
-        const double closes = -points_[k].normal.dot(past[k]), half = 0.5 * law_.thickness(points_[k].gap);
-        for (std::size_t a = 0; a < shapes_[k].unknown.size(); ++a)
-            if (const int unknown = shapes_[k].unknown[a]; unknown != none)
-                pressure[unknown] +=
-                    shapes_[k].weight * (shapes_[k].shares[a] * closes - half * shapes_[k].slopes[a].dot(past[k]));
-    }
+    for (std::size_t k = 0; k < points_.size(); ++k)
+        for_each_pressure(k, [&](int unknown, const Vec& force) { pressure[unknown] -= force.dot(past[k]); });
     if (unknowns_ > 0) pressure = solver_.solve(pressure).eval();
     std::vector<Traction> tractions(points_.size());
     for (std::size_t k = 0; k < points_.size(); ++k) {

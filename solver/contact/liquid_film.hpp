@@ -37,6 +37,19 @@ class LiquidFilm {
     };
     [[nodiscard]] std::vector<Traction> tractions(std::span<const Vec> past) const;
 
+    /// The matrix K of Reynolds' equation, its lower triangle [m^3/(Pa s), m^4/(Pa s)].
+    [[nodiscard]] const Eigen::SparseMatrix<double>& conductance() const { return conductance_; }
+    /// Calls visit(number, force) for each share in the pressure at a point, with its force on all that the point
+    /// stands for, per pressure [m, m^2]: of the velocity v, K p = -force . v.
+    template <class Visit>
+    void for_each_pressure(std::size_t point, const Visit& visit) const {
+        const Shapes& of = shapes_[point];
+        const double half = 0.5 * law_.thickness(points_[point].gap);
+        for (std::size_t a = 0; a < of.unknown.size(); ++a)
+            if (of.unknown[a] != none)
+                visit(of.unknown[a], Vec(of.weight * (of.shares[a] * points_[point].normal + half * of.slopes[a])));
+    }
+
     [[nodiscard]] const LiquidFilmLaw& law() const { return law_; }
 
   private:
@@ -60,6 +73,7 @@ class LiquidFilm {
     std::vector<int> unknown_;    ///< by control point: the number of its share in p
     std::vector<int> pieces_;     ///< that have points in a film
     int unknowns_ = 0;
+    Eigen::SparseMatrix<double> conductance_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
 };
 

@@ -65,7 +65,12 @@ void SurfaceContact::find_touched_controls() {
 /// [m/s]
 Vec SurfaceContact::velocity_at(int number, const PiecePlace& place) const {
     const auto& of = piece(number);
-    if (of.is_wall) return walls_->velocity(static_cast<std::uint16_t>(of.part), of.at_rest.at(place), t_);
+    return of.is_wall ? walls_->velocity(static_cast<std::uint16_t>(of.part), of.at_rest.at(place), t_)
+                      : carried_at(number, place);
+}
+
+Vec SurfaceContact::carried_at(int number, const PiecePlace& place) const {
+    const auto& of = piece(number);
     const auto shares = of.now.shares(place);
     Vec velocity = Vec::Zero();
     for (std::size_t c = 0; c < of.now.controls(); ++c)
@@ -82,11 +87,14 @@ void SurfaceContact::add_couple(int number, const Vec& arm, const Vec& force) {
 }
 
 void SurfaceContact::push(int number, const PiecePlace& place, const Vec& force) {
-    const auto& of = piece(number);
-    if (of.is_wall) {
+    if (piece(number).is_wall)
         on_walls_[index_of(number)] += force;
-        return;
-    }
+    else
+        give(number, place, force);
+}
+
+void SurfaceContact::give(int number, const PiecePlace& place, const Vec& force) {
+    const auto& of = piece(number);
     const auto shares = of.now.shares(place);
     for (std::size_t c = 0; c < of.now.controls(); ++c) control_force_[index_of(of.control[c])] += shares[c] * force;
 }

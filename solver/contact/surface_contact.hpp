@@ -27,6 +27,14 @@ enum class ContactStepping {
     at_end,    ///< those of the places at its end, implicitly: any stiffness, also in liquid
 };
 
+/// The derivative of contact's forces on unknowns, minus: stiffness + films conductance^-1 films^T. A row is an
+/// unknown's number times the dimension plus the axis.
+struct ContactMatrix {
+    Eigen::SparseMatrix<double> stiffness;    ///< [kg/s]
+    Eigen::SparseMatrix<double> films;        ///< by share in the pressure of films [m, m^2]
+    Eigen::SparseMatrix<double> conductance;  ///< lower triangle [m^3/(Pa s), m^4/(Pa s)]
+};
+
 struct ContactImpulses {
     Vec of_supports, on_walls;  ///< [N s]
 };
@@ -53,6 +61,7 @@ class SurfaceContact {
     /// Bodies have been cut or joined.
     void find_bodies(const SpringBodies& bodies);
     [[nodiscard]] ContactStepping stepping() const { return stepping_; }
+    [[nodiscard]] int dimension() const { return space_.dimension; }
     /// In how many parts a step has to be taken, each with a kick: one where nothing will touch in it.
     [[nodiscard]] int parts_of_step(const SpringBodies& bodies, const WallMotion& walls, double t, double dt);
     /// Kicks the bodies by the forces of contact at their present places, over dt.
@@ -68,6 +77,8 @@ class SurfaceContact {
     /// Adds minus the derivative of what this adds with respect to w, near the last w, times values. Friction that
     /// slides is left out.
     void add_stiffness_times(std::span<const Vec> values, std::span<Vec> image);
+    /// What add_stiffness_times() does, as matrices.
+    [[nodiscard]] ContactMatrix matrix() const;
     /// Has the forces of the last w act on the bodies in their next advance. Returns the impulse on the walls [N s].
     [[nodiscard]] Vec press(SpringBodies& bodies);
 
@@ -180,6 +191,9 @@ class SurfaceContact {
     void add_couple(int piece, const Vec& arm, const Vec& force);
     void push(int piece, const PiecePlace& place, const Vec& force);
     [[nodiscard]] Vec velocity_at(int piece, const PiecePlace& place) const;
+    /// Of the control points' velocities and forces; those of walls count for nothing.
+    [[nodiscard]] Vec carried_at(int piece, const PiecePlace& place) const;
+    void give(int piece, const PiecePlace& place, const Vec& force);
     [[nodiscard]] const ContactSurfaces::Piece& piece(int number) const { return surfaces_.pieces()[index_of(number)]; }
     [[nodiscard]] const PiecePlace& place_of(const Touch& touch) const {
         return surfaces_.points()[touch.number].place;

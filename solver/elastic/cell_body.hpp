@@ -56,6 +56,9 @@ class CellBody final : public SpringBody {
     void prepare_alone(std::span<const Vec> w, double dt, bool anew) override { network_.prepare_alone(w, dt, anew); }
     void multiply_in_fluid(std::span<Vec> values) const override { network_.multiply_in_fluid(values); }
     void solve_in_fluid(std::span<Vec> values) const override { network_.solve_in_fluid(values); }
+    void add_prepared(int first, std::vector<Eigen::Triplet<double>>& entries) const override {
+        network_.add_prepared(first, entries);
+    }
     void expect(std::span<const Vec> w) override { network_.expect(w); }
 
     [[nodiscard]] Vec position(std::size_t node) const override;

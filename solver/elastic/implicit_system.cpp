@@ -89,12 +89,13 @@ void SpringNetwork<D>::ImplicitSystem::factorise(const SpringNetwork& body, cons
     });
     for (const LocalCell<D>& cell : body.cells_)
         add(cell, cell.stiffness(cell.at(position), dt * dt / 4, dt / 2 * cell.relaxation));
+    more_.setZero(matrix_.rows());
     if (more.empty()) {
         solver_.factorize(matrix_);
     } else {
+        for_each_unknown([&](std::size_t node, int axis, int number) { more_[number] = more[node][axis]; });
         Matrix sum = matrix_;
-        for_each_unknown(
-            [&](std::size_t node, int axis, int number) { sum.coeffRef(number, number) += more[node][axis]; });
+        sum.diagonal() += more_;
         solver_.factorize(sum);
     }
     if (solver_.info() != Eigen::Success)
@@ -134,6 +135,21 @@ void SpringNetwork<D>::ImplicitSystem::multiply(std::span<Vec> values, double sc
 template <int D>
 void SpringNetwork<D>::ImplicitSystem::solve(std::span<Vec> values, double scale) const {
     change(values, scale, [this](const Eigen::VectorXd& free) -> Eigen::VectorXd { return solver_.solve(free); });
+}
+
+template <int D>
+void SpringNetwork<D>::ImplicitSystem::add_factorised(int first, double scale,
+                                                      std::vector<Eigen::Triplet<double>>& entries) const {
+    std::vector<int> row(static_cast<std::size_t>(matrix_.rows()));
+    for_each_unknown([&](std::size_t node, int axis, int number) {
+        row[static_cast<std::size_t>(number)] = first + static_cast<int>(node) * D + axis;
+        entries.emplace_back(row[static_cast<std::size_t>(number)], row[static_cast<std::size_t>(number)],
+                             scale * more_[number]);
+    });
+    for (int column = 0; column < matrix_.outerSize(); ++column)
+        for (Matrix::InnerIterator entry(matrix_, column); entry; ++entry)
+            entries.emplace_back(row[static_cast<std::size_t>(entry.row())], row[static_cast<std::size_t>(column)],
+                                 scale * entry.value());
 }
 
 template <int D>

@@ -30,6 +30,8 @@ class SpringNetwork<D>::ImplicitSystem {
     /// values = scale A values, and values = scale (A + more)^-1 values; 0 for fixed nodes.
     void multiply(std::span<Vec> values, double scale) const;
     void solve(std::span<Vec> values, double scale) const;
+    /// Adds the lower triangle of scale (A + more) to the entries, in the rows `first` + D node + axis.
+    void add_factorised(int first, double scale, std::vector<Eigen::Triplet<double>>& entries) const;
     /// The factors depend on the history of the run, and the last bits of results depend on them: loading recomputes
     /// them from the state they were computed from.
     void archive(Archive& file, const std::string& name, const SpringNetwork& body);
@@ -66,6 +68,7 @@ class SpringNetwork<D>::ImplicitSystem {
 
     std::vector<int> unknown_;  ///< by node and axis
     Matrix matrix_;             ///< lower triangle
+    Eigen::VectorXd more_;      ///< on the diagonal of the factors
     Eigen::SimplicialLLT<Matrix> solver_;
     double dt_ = -1;
     Vectors position_;  ///< for which the factors were computed

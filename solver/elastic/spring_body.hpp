@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -121,6 +122,9 @@ class SpringBody {
     virtual void multiply_in_fluid(std::span<Vec> values) const = 0;
     /// Solves with the factors, in place; 0 for fixed nodes.
     virtual void solve_in_fluid(std::span<Vec> values) const = 0;
+    /// Adds the lower triangle of the matrix that was factorised, drag included [kg/s]: the row of an unknown is its
+    /// number times the dimension plus the axis, and `first`. None where it is held.
+    virtual void add_prepared(int first, std::vector<Eigen::Triplet<double>>& entries) const = 0;
     /// Sets the nodes' mean velocities for the next implicit step, from a solution coupled with the fluid: for a
     /// light body, the step has no solution without the fluid's drag.
     virtual void expect(std::span<const Vec> w) = 0;

@@ -84,6 +84,7 @@ class SpringNetwork final : public SpringBody {
     void prepare_alone(std::span<const Vec> w, double dt, bool anew) override;
     void multiply_in_fluid(std::span<Vec> values) const override;
     void solve_in_fluid(std::span<Vec> values) const override;
+    void add_prepared(int first, std::vector<Eigen::Triplet<double>>& entries) const override;
     void expect(std::span<const Vec> w) override;
 
     /// Changes velocities by dt F / m, where F are the forces of the fluid and of contact on the nodes. Returns the

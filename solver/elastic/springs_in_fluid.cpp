@@ -67,6 +67,11 @@ void SpringNetwork<D>::solve_in_fluid(std::span<Vec> values) const {
 }
 
 template <int D>
+void SpringNetwork<D>::add_prepared(int first, std::vector<Eigen::Triplet<double>>& entries) const {
+    prepared_->add_factorised(first, 1 / prepared_step_, entries);
+}
+
+template <int D>
 void SpringNetwork<D>::expect(std::span<const Vec> w) {
     expected_.clear();
     for (const Vec& velocity : w) expected_.push_back(of_space(velocity));

@@ -14,7 +14,8 @@ namespace {
 constexpr double tolerance = 1e-6;
 /// Newton's iterations: at most, and with one matrix of a body.
 constexpr int most_cycles = 40, cycles_with_one_matrix = 8;
-constexpr long most_iterations = 500;
+/// Iterations with one preconditioner.
+constexpr long most_iterations = 20;
 
 }  // namespace
 
@@ -60,7 +61,8 @@ bool ContactSolve::solve() {
         }
         last = velocity_;
         if (cycle > 0 && cycle % cycles_with_one_matrix == 0) prepare(true);
-        (void)conjugate_gradients(*this, std::max(0.5 * tolerance, of_cycle * error), most_iterations);
+        if (!conjugate_gradients(*this, std::max(0.5 * tolerance, of_cycle * error), most_iterations).converged)
+            held_.factorise(bodies_, contact_);
     }
     // The bodies' own steps are halved where they cannot be solved.
     velocity_ = std::move(last);
@@ -80,6 +82,10 @@ double ContactSolve::find_residual() {
 
 void ContactSolve::precondition() {
     preconditioned_ = residual_;
+    if (held_.is_ready()) {
+        held_.solve(preconditioned_);
+        return;
+    }
     for_each_body([&](SpringBody& body, std::size_t first, std::size_t count) {
         body.solve_in_fluid(std::span(preconditioned_).subspan(first, count));
     });

@@ -66,9 +66,22 @@ void ViscousNodes::find_residual(const ParticleStore& particles) {
         for (std::size_t n = 0; n < own.size(); ++n)
             residual_[part.first + n] = own[n] + other_force_[part.first + n] + viscous[part.first + n];
     });
-    if (contact_ != nullptr) contact_->add_forces_at_end(velocity_, residual_);
+    if (contact_ != nullptr) {
+        contact_->add_forces_at_end(velocity_, residual_);
+        if (!held_.is_ready()) held_.factorise(springs_, *contact_);
+    }
+    precondition();
+}
+
+void ViscousNodes::precondition() {
     preconditioned_ = residual_;
-    for_each_body([&](const SpringBody& body, Part part, Part) { body.solve_in_fluid(part.of(preconditioned_)); });
+    if (held_.is_ready()) held_.solve(preconditioned_);
+    for (std::size_t b = 0, first = 0; b < springs_.bodies().size(); ++b) {
+        const SpringBody& body = *springs_.bodies()[b];
+        const Part part{first, body.unknowns()};
+        if (contact_ == nullptr || !contact_->touched_bodies()[b]) body.solve_in_fluid(part.of(preconditioned_));
+        first += part.count;
+    }
 }
 
 void ViscousNodes::find_image(const ParticleStore& particles) {
@@ -85,8 +98,7 @@ void ViscousNodes::step(double alpha) {
         velocity_[n] += alpha * direction_[n];
         residual_[n] -= alpha * image_[n];
     }
-    preconditioned_ = residual_;
-    for_each_body([&](const SpringBody& body, Part part, Part) { body.solve_in_fluid(part.of(preconditioned_)); });
+    precondition();
 }
 
 void ViscousNodes::turn(double beta) {

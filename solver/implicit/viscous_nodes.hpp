@@ -6,6 +6,7 @@
 
 #include "solver/contact/surface_contact.hpp"
 #include "solver/elastic/spring_bodies.hpp"
+#include "solver/implicit/contact_preconditioner.hpp"
 #include "solver/parallel/exact_sum.hpp"
 
 namespace dmp::solver {
@@ -17,7 +18,8 @@ namespace dmp::solver {
 /// as in the body's own implicit midpoint step, whose solution w is. Without them a light body in a thick liquid would
 /// first be stopped by it, and then spring as if nothing held it. Where bodies may touch, half of the forces of contact
 /// at the end of the step are in the balance, too. Every rank holds all nodes. The preconditioner solves each body's
-/// own equations, its diagonal drag in the liquid included, so that stiff springs cost no iterations.
+/// own equations, its diagonal drag in the liquid included, so that stiff springs cost no iterations, and those of
+/// bodies that may touch with what is between them (ContactPreconditioner).
 class ViscousNodes {
   public:
     /// From the present velocities of nodes, and the other forces on them. `contact`: null where nothing may touch.
@@ -60,11 +62,13 @@ class ViscousNodes {
     };
     template <class Visit>
     void for_each_body(const Visit& visit) const;
+    void precondition();
     /// A field of the bodies' particles, as forces on the unknowns.
     [[nodiscard]] Vectors on_unknowns(const ParticleStore& particles, Field field) const;
 
     SpringBodies& springs_;
     SurfaceContact* contact_;
+    ContactPreconditioner held_;
     double dt_;
     Vectors other_force_, velocity_, residual_, preconditioned_, direction_, image_;
 };
