@@ -10,7 +10,7 @@ std::vector<Key<Contact>> contact_keys() {
     return {
         {"between", &Contact::between, one_of<ContactBetween>(), unwritten("auto"),
          "What elastic bodies and walls touch with: their drawn \"surfaces\", or \"particles\" that repel each other, "
-         "as in the published studies. \"auto\": surfaces in scenes without [[solidify]] and planes of symmetry."},
+         "as in the published studies. \"auto\": surfaces in scenes without [[solidify]]."},
         {"stiffness", &Contact::stiffness, quantity_or_auto("1e9 Pa/m"), unwritten("auto"),
          "Contact of surfaces: pressure over the depth to which they pass into each other; \"auto\": from the stiffness of "
          "the material, or what the time step allows (docs/elastic.md)."},

@@ -126,8 +126,7 @@ void need_terms_that_go_together(const Scene& scene) {
 ContactBetween chosen_contact(const Scene& scene) {
     switch (*scene.contact.between) {
         case ContactBetween::automatic:
-            return scene.solidify.empty() && scene.flow.symmetry->empty() ? ContactBetween::surfaces
-                                                                          : ContactBetween::particles;
+            return scene.solidify.empty() ? ContactBetween::surfaces : ContactBetween::particles;
         case ContactBetween::surfaces:
         case ContactBetween::particles:
             return scene.contact.between;
@@ -140,9 +139,6 @@ void need_surfaces_for_what_they_have(const Scene& scene) {
     const auto& contact = scene.contact;
     if (chosen_contact(scene) == ContactBetween::surfaces) {
         const SourceLocation& location = contact.between.location;
-        if (!scene.flow.symmetry->empty())
-            throw InputError(location, "contact.between = \"surfaces\" is not available beside planes of symmetry",
-                             "leave it out, or draw both halves");
         if (contact.friction > 0)
             for (const Part* wall : scene.parts_of(PartKind::rigid))
                 if (wall->slides())
@@ -159,11 +155,11 @@ void need_surfaces_for_what_they_have(const Scene& scene) {
             throw InputError(
                 measure.kind.location,
                 "measure '" + *measure.name + "' is of contact between surfaces, and here particles repel each other",
-                "leave it out; surfaces touch in scenes without [[solidify]] and planes of symmetry");
+                "leave it out; surfaces touch in scenes without [[solidify]]");
     const auto refuse = [](const Value<double>& value, const std::string& key) {
         if (value.given() && value > 0)
             throw InputError(value.location, "contact." + key + " is of surfaces, and here particles repel each other",
-                             "leave it out; surfaces touch in scenes without [[solidify]] and planes of symmetry");
+                             "leave it out; surfaces touch in scenes without [[solidify]]");
     };
     refuse(contact.friction, "friction");
     refuse(contact.damping, "damping");

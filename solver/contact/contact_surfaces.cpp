@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 #include "base/errors.hpp"
@@ -18,6 +19,9 @@ namespace {
 constexpr double carried_from = 2.5;
 constexpr std::size_t most_carriers_in_plane = 8, most_carriers_in_space = 24;
 
+/// Walls go on beyond planes of symmetry by this [spacings].
+constexpr double walls_go_on = 4;
+
 bool is_wall(const ParticleSpace& space, int part) {
     return space.parts[static_cast<std::size_t>(part)].kind == PartKind::rigid;
 }
@@ -25,7 +29,7 @@ bool is_wall(const ParticleSpace& space, int part) {
 }  // namespace
 
 ContactSurfaces::ContactSurfaces(const ParticleSet& set, const SpringBodies& bodies)
-    : space_(static_cast<const ParticleSpace&>(set)) {
+    : space_(static_cast<const ParticleSpace&>(set)), drawn_points_(add_images(space_, walls_go_on * set.spacing)) {
     DrawnSurfaces drawn = set.dimension == 2 ? draw_curves(space_) : draw_triangles(space_);
     corners_ = drawn.corners;
     controls_ = std::move(drawn.controls);
@@ -46,13 +50,19 @@ ContactSurfaces::ContactSurfaces(const ParticleSet& set, const SpringBodies& bod
             piece.at_rest.control[k] = control_at_rest_[static_cast<std::size_t>(piece.control[k])];
         for (std::size_t k = 0; k < corners_; ++k)
             piece.of_corners[k] = drawn.is_sharp[static_cast<std::size_t>(piece.control[k])] ? 0 : 1;
+        // In 2-D a piece may lie on a plane of symmetry, half of it an image.
+        const Vec middle = piece.at_rest.at(piece.at_rest.middle());
+        piece.reflection = Reflection::back_from(middle, space_);
+        const double own = piece.reflection.is_none() ? std::pow(0.5, Reflection::planes_through(middle, space_)) : 0;
         for (std::size_t p = 0; p < points().size(); ++p)
-            piece.weight[p] = points()[p].weight * piece.at_rest.measure(points()[p].place);
+            piece.weight[p] = own * points()[p].weight * piece.at_rest.measure(points()[p].place);
         piece.now = piece.at_rest;
         std::tie(piece.low, piece.high) = piece.now.box();
     }
     find_particles(set);
+    find_images_of_other_bodies(set);
     find_pieces_at_controls();
+    find_sources();
     find_bodies(bodies);
 }
 
@@ -79,6 +89,37 @@ void ContactSurfaces::find_pieces_at_controls() {
             is_border_[static_cast<std::size_t>(piece.control[k])] = true;
             is_border_[static_cast<std::size_t>(piece.control[(k + 1) % corners_])] = true;
         }
+}
+
+/// In 2-D pieces may lie across a plane of symmetry. An image has the same shares of the same drawn points.
+void ContactSurfaces::find_sources() {
+    source_.resize(controls_.size());
+    std::iota(source_.begin(), source_.end(), 0);
+    if (corners_ == 3 || drawn_points_.empty() || drawn_points_.back().reflection.is_none()) return;
+    std::map<std::map<int, double>, int> number;
+    for (int& source : source_) {
+        std::map<int, double> shares;
+        for (const auto& [point, share] : controls_[static_cast<std::size_t>(source)])
+            shares[drawn_points_[static_cast<std::size_t>(point)].source] += share;
+        source = number.try_emplace(shares, source).first->second;
+    }
+}
+
+/// A body that does not reach a plane of symmetry meets its image as another body.
+void ContactSurfaces::find_images_of_other_bodies(const ParticleSet& set) {
+    std::map<int, std::uint8_t> goes_on;
+    int bodies = 0;
+    for (const Piece& piece : pieces_) {
+        bodies = std::max(bodies, piece.solid + 1);
+        for (int axis = 0; axis < set.dimension; ++axis)
+            for (std::size_t k = 0; k < corners_; ++k)
+                for (const double plane : {set.box.low[axis], set.box.high[axis]})
+                    if (std::abs(piece.at_rest.control[k][axis] - plane) <= 1e-6 * set.spacing)
+                        goes_on[piece.solid] = static_cast<std::uint8_t>(goes_on[piece.solid] | (1U << axis));
+    }
+    for (Piece& piece : pieces_)
+        if (const int apart = piece.reflection.axes & ~goes_on[piece.solid]; !piece.is_wall && apart != 0)
+            piece.solid += apart * bodies;
 }
 
 int ContactSurfaces::control_at(const Piece& piece, const PiecePlace& place) const {
@@ -183,7 +224,8 @@ void ContactSurfaces::find_particles(const ParticleSet& set) {
             if (point != ContactPiece::none) find(point, piece.part);
     for (Piece& piece : pieces_) {
         const auto& middle = controls_[static_cast<std::size_t>(piece.control[piece.now.controls() - 1])];
-        const std::vector<int>& near = particles_near_[static_cast<std::size_t>(middle.front().first)];
+        const DrawnPoint& point = drawn_points_[static_cast<std::size_t>(middle.front().first)];
+        const std::vector<int>& near = particles_near_[static_cast<std::size_t>(point.source)];
         if (piece.is_wall && !near.empty()) piece.wall_particle = near.front();
         piece.solid =
             piece.is_wall || near.empty() ? -2 - piece.part : set.body[static_cast<std::size_t>(near.front())];
@@ -201,7 +243,7 @@ void ContactSurfaces::find_bodies(const SpringBodies& bodies) {
         int body = no_body;
         CarriedPoint carried;
     };
-    std::vector<OfPoint> carried(space_.contact_points.size());
+    std::vector<OfPoint> carried(drawn_points_.size());  // of images none
     for (std::size_t point = 0; point < carried.size(); ++point) {
         std::vector<int> nodes;
         const SpringBody* nearest = nullptr;
@@ -220,18 +262,24 @@ void ContactSurfaces::find_bodies(const SpringBodies& bodies) {
     shift_.assign(controls_.size(), Vec::Zero());
     std::vector<bool> is_torn(controls_.size(), false);
     for (std::size_t c = 0; c < controls_.size(); ++c) {
-        std::map<int, double> shares;
-        body_[c] = carried[static_cast<std::size_t>(controls_[c].front().first)].body;
+        std::map<std::pair<int, std::uint8_t>, double> shares;
+        const auto carried_point = [&](int point) -> const OfPoint& {
+            return carried[static_cast<std::size_t>(drawn_points_[static_cast<std::size_t>(point)].source)];
+        };
+        body_[c] = carried_point(controls_[c].front().first).body;
         for (const auto& [point, of_control] : controls_[c]) {
-            const auto& [body, of_point] = carried[static_cast<std::size_t>(point)];
+            const auto& [body, of_point] = carried_point(point);
+            const Reflection& reflection = drawn_points_[static_cast<std::size_t>(point)].reflection;
             is_torn[c] = is_torn[c] || body != body_[c];
-            shift_[c] += of_control * of_point.shift;
-            for (const auto& [unknown, share] : of_point.shares) shares[unknown] += of_control * share;
+            shift_[c] += of_control * reflection.of_point(of_point.shift);
+            for (const auto& [unknown, share] : of_point.shares)
+                shares[{unknown, reflection.axes}] += of_control * share;
         }
         if (!is_torn[c] && body_[c] != no_body)
-            for (const auto& [unknown, share] : shares)
+            for (const auto& [carrier, share] : shares)
                 carriers_.push_back(
-                    {static_cast<int>(first_unknown_[static_cast<std::size_t>(body_[c])]) + unknown, share});
+                    {static_cast<int>(first_unknown_[static_cast<std::size_t>(body_[c])]) + carrier.first,
+                     carrier.second, share});
         first_carrier_.push_back(carriers_.size());
     }
     control_position_ = control_at_rest_;
@@ -242,8 +290,8 @@ void ContactSurfaces::find_bodies(const SpringBodies& bodies) {
         for (std::size_t k = 0; k < piece.now.controls(); ++k) {
             const auto c = static_cast<std::size_t>(piece.control[k]);
             piece.is_there = piece.is_there && !is_torn[c] && body_[c] == body_of(piece.control[0]);
-            for (const auto& [unknown, share] : carriers(piece.control[k]))
-                piece.is_held = piece.is_held && is_fixed(bodies, body_[c], unknown);
+            for (const Share& share : carriers(piece.control[k]))
+                piece.is_held = piece.is_held && is_fixed(bodies, body_[c], share.unknown);
         }
     }
     find_roots(bodies);
@@ -256,8 +304,8 @@ void ContactSurfaces::find_roots(const SpringBodies& bodies) {
     std::size_t count = 0;
     for (std::size_t c = 0; c < controls_.size(); ++c) {
         double held = 0;
-        for (const auto& [unknown, share] : carriers(static_cast<int>(c)))
-            if (is_fixed(bodies, body_[c], unknown)) held += share;
+        for (const Share& share : carriers(static_cast<int>(c)))
+            if (is_fixed(bodies, body_[c], share.unknown)) held += share.share;
         if (held < least_held) continue;
         ++count;
         for (int axis = 0; axis < space_.dimension; ++axis) places[axis].push_back(control_at_rest_[c][axis]);
@@ -296,8 +344,10 @@ void ContactSurfaces::place(std::span<const Vec> position, const WallMotion* wal
         if (!piece.is_there || (piece.is_wall && !walls_move_)) continue;
         for (std::size_t c = 0; c < piece.now.controls(); ++c)
             piece.now.control[c] =
-                piece.is_wall ? walls->carried(static_cast<std::uint16_t>(piece.part), piece.at_rest.control[c])
-                              : control_position_[static_cast<std::size_t>(piece.control[c])];
+                piece.is_wall
+                    ? piece.reflection.of_point(walls->carried(static_cast<std::uint16_t>(piece.part),
+                                                               piece.reflection.of_point(piece.at_rest.control[c])))
+                    : control_position_[static_cast<std::size_t>(piece.control[c])];
         std::tie(piece.low, piece.high) = piece.now.box();
     }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/contact/drawn_surfaces.hpp"
+#include "solver/contact/reflection.hpp"
 #include "solver/elastic/spring_bodies.hpp"
 #include "solver/forcing/wall_motion.hpp"
 #include "solver/uses.hpp"
@@ -12,7 +13,9 @@
 namespace dmp::solver {
 
 /// The drawn surfaces of elastic bodies and walls (DrawnSurfaces) as the bodies carry them. Their control points move
-/// with the unknowns of the bodies, which are numbered one body after another.
+/// with the unknowns of the bodies, which are numbered one body after another. Beyond planes of symmetry they go on as
+/// their images, which are met like all others, but whose own points meet nothing: their contact is that of what they
+/// are images of.
 class ContactSurfaces {
   public:
     static constexpr int no_body = -1;
@@ -23,12 +26,14 @@ class ContactSurfaces {
         int part = 0;
         int solid = 0;  ///< the body that it was drawn of; of walls -2 - part
         bool is_wall = false;
-        bool is_there = true;  ///< false where what carries it has torn apart
-        bool is_held = false;  ///< whether it is a wall's, or all that carries it is held
-        bool is_root = false;  ///< whether it is near where its body is held
-        double thickness = 0;  ///< of the solid behind it [m]
+        Reflection reflection{};  ///< of images: of what
+        bool is_there = true;     ///< false where what carries it has torn apart
+        bool is_held = false;     ///< whether it is a wall's, or all that carries it is held
+        bool is_root = false;     ///< whether it is near where its body is held
+        double thickness = 0;     ///< of the solid behind it [m]
         std::array<int, SurfacePiece::most_controls> control{};  ///< numbers of its control points
-        std::array<double, 4> weight{};                          ///< of its points: length, area at rest [m, m^2]
+        /// Of its points: length, area at rest, as far as it is no image [m, m^2].
+        std::array<double, 4> weight{};
         SurfacePiece at_rest, now;
         Vec low, high;                              ///< of a box that holds the piece [m]
         std::array<double, 3> of_corners{1, 1, 1};  ///< 0 at those that stick out, or lie on an edge that does
@@ -52,6 +57,11 @@ class ContactSurfaces {
     [[nodiscard]] static Weight weight(const Piece& piece, const PiecePlace& place);
 
     [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+    [[nodiscard]] bool is_image(int piece) const {
+        return !pieces_[static_cast<std::size_t>(piece)].reflection.is_none();
+    }
+    /// The control point that one is the image of, or itself.
+    [[nodiscard]] int source_of(int control) const { return source_[static_cast<std::size_t>(control)]; }
     /// Of a piece.
     [[nodiscard]] std::span<const QuadraturePoint> points() const { return quadrature(corners_); }
     [[nodiscard]] bool walls_move() const { return walls_move_; }
@@ -77,7 +87,11 @@ class ContactSurfaces {
     [[nodiscard]] int body_of(int control) const { return body_[static_cast<std::size_t>(control)]; }
     struct Share {
         int unknown;
+        std::uint8_t reflected;  ///< Reflection::axes
         double share;
+
+        /// What it has of a velocity of the unknown, and the unknown of a force on the control point.
+        [[nodiscard]] Vec of(const Vec& vector) const { return share * Reflection::of_vector(reflected, vector); }
     };
     /// What carries a control point; none of a wall's.
     [[nodiscard]] std::span<const Share> carriers(int control) const {
@@ -87,8 +101,8 @@ class ContactSurfaces {
     /// Of values of the unknowns, as velocities, that of a control point.
     [[nodiscard]] Vec carried(int control, std::span<const Vec> of_unknown) const {
         Vec sum = Vec::Zero();
-        for (const auto& [unknown, share] : carriers(control))
-            sum += share * of_unknown[static_cast<std::size_t>(unknown)];
+        for (const Share& share : carriers(control))
+            sum += share.of(of_unknown[static_cast<std::size_t>(share.unknown)]);
         return sum;
     }
 
@@ -97,13 +111,17 @@ class ContactSurfaces {
     [[nodiscard]] int control_at(const Piece& piece, const PiecePlace& place) const;
     void find_particles(const ParticleSet& set);
     void find_pieces_at_controls();
+    void find_sources();
+    void find_images_of_other_bodies(const ParticleSet& set);
     void find_roots(const SpringBodies& bodies);
     [[nodiscard]] bool is_fixed(const SpringBodies& bodies, int body, int unknown) const;
 
     ParticleSpace space_;
     std::size_t corners_;
     bool walls_move_ = false;
+    std::vector<DrawnPoint> drawn_points_;  ///< by point of the space
     std::vector<DrawnSurfaces::OfPoints> controls_;
+    std::vector<int> source_;           ///< by control point
     std::vector<bool> is_end_;          ///< by control point
     std::vector<bool> is_border_;       ///< by control point
     std::vector<Vec> control_at_rest_;  ///< by control point

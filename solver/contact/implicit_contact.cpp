@@ -111,9 +111,9 @@ void SurfaceContact::add_stiffness_times(std::span<const Vec> values, std::span<
         }
     }
     for (const int control : touched_controls_)
-        for (const auto& [unknown, share] : surfaces_.carriers(control))
-            if (inverse_mass_[index_of(unknown)] > 0)
-                image[index_of(unknown)] += of_balance * share * control_force_[index_of(control)];
+        for (const auto& share : surfaces_.carriers(control))
+            if (inverse_mass_[index_of(share.unknown)] > 0)
+                image[index_of(share.unknown)] += of_balance * share.of(control_force_[index_of(control)]);
 }
 
 ContactMatrix SurfaceContact::matrix() const {
@@ -157,9 +157,10 @@ ContactMatrix SurfaceContact::matrix() const {
         });
     }
     for (const int control : touched_controls_)
-        for (const auto& [unknown, share] : surfaces_.carriers(control))
+        for (const auto& [unknown, reflected, share] : surfaces_.carriers(control))
             for (int i = 0; i < axes && inverse_mass_[index_of(unknown)] > 0; ++i)
-                carried.emplace_back(row[index_of(control)] + i, unknown * axes + i, share);
+                carried.emplace_back(row[index_of(control)] + i, unknown * axes + i,
+                                     Reflection::has(reflected, i) ? -share : share);
     const auto rows = static_cast<Eigen::Index>(touched_controls_.size()) * axes;
     const auto made_of = [&](const Entries& entries, Eigen::Index columns) {
         Eigen::SparseMatrix<double> matrix(rows, columns);

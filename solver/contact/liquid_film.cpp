@@ -20,15 +20,16 @@ LiquidFilm::LiquidFilm(const LiquidFilmLaw& law, const ContactSurfaces& surfaces
 
 bool LiquidFilm::is_border(int control) const {
     const std::span<const int> around = surfaces_.pieces_at(control);
-    return surfaces_.is_border(control) ||
-           std::ranges::any_of(around, [&](int piece) { return !is_film_[static_cast<std::size_t>(piece)]; });
+    return surfaces_.is_border(control) || std::ranges::any_of(around, [&](int piece) {
+               return !surfaces_.is_image(piece) && !is_film_[static_cast<std::size_t>(piece)];
+           });
 }
 
 void LiquidFilm::number_unknowns() {
     for (const int piece : pieces_) {
         is_film_[static_cast<std::size_t>(piece)] = false;
         for (const int control : surfaces_.pieces()[static_cast<std::size_t>(piece)].control)
-            unknown_[static_cast<std::size_t>(control)] = none;
+            unknown_of(control) = none;
     }
     pieces_.clear();
     for (const Point& point : points_)
@@ -38,8 +39,7 @@ void LiquidFilm::number_unknowns() {
     for (const int number : pieces_) {
         const auto& piece = surfaces_.pieces()[static_cast<std::size_t>(number)];
         for (std::size_t c = 0; c < piece.now.controls(); ++c)
-            if (int& unknown = unknown_[static_cast<std::size_t>(piece.control[c])];
-                unknown == none && !is_border(piece.control[c]))
+            if (int& unknown = unknown_of(piece.control[c]); unknown == none && !is_border(piece.control[c]))
                 unknown = unknowns_++;
     }
 }
@@ -50,7 +50,7 @@ LiquidFilm::Shapes LiquidFilm::shapes(int number, std::size_t point) const {
     Shapes shapes{{}, piece.now.shares(place), piece.now.share_slopes(place), piece.weight[point]};
     shapes.unknown.fill(none);
     for (std::size_t c = 0; c < piece.now.controls(); ++c)
-        shapes.unknown[c] = unknown_[static_cast<std::size_t>(piece.control[c])];
+        shapes.unknown[c] = unknown_[static_cast<std::size_t>(surfaces_.source_of(piece.control[c]))];
     return shapes;
 }
 

@@ -62,6 +62,9 @@ class LiquidFilm {
     };
 
     void number_unknowns();
+    [[nodiscard]] int& unknown_of(int control) {
+        return unknown_[static_cast<std::size_t>(surfaces_.source_of(control))];
+    }
     [[nodiscard]] bool is_border(int control) const;
     [[nodiscard]] Shapes shapes(int piece, std::size_t number) const;
 

@@ -102,7 +102,7 @@ bool PiecePairs::update(const ContactSurfaces& surfaces) {
             });
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const auto& own = pieces[k];
-        if (own.is_there && (!own.is_held || is_seen[k]))
+        if (own.is_there && own.reflection.is_none() && (!own.is_held || is_seen[k]))
             grid.for_each_near({inside[k][0], inside[k][1], inside[k][2]}, reach, [&](int point) {
                 const auto p = static_cast<std::size_t>(point);
                 const std::size_t j =

@@ -65,8 +65,9 @@ void SurfaceContact::find_touched_controls() {
 /// [m/s]
 Vec SurfaceContact::velocity_at(int number, const PiecePlace& place) const {
     const auto& of = piece(number);
-    return of.is_wall ? walls_->velocity(static_cast<std::uint16_t>(of.part), of.at_rest.at(place), t_)
-                      : carried_at(number, place);
+    if (!of.is_wall) return carried_at(number, place);
+    return of.reflection.of_vector(
+        walls_->velocity(static_cast<std::uint16_t>(of.part), of.reflection.of_point(of.at_rest.at(place)), t_));
 }
 
 Vec SurfaceContact::carried_at(int number, const PiecePlace& place) const {
@@ -88,7 +89,7 @@ void SurfaceContact::add_couple(int number, const Vec& arm, const Vec& force) {
 
 void SurfaceContact::push(int number, const PiecePlace& place, const Vec& force) {
     if (piece(number).is_wall)
-        on_walls_[index_of(number)] += force;
+        on_walls_[index_of(number)] += piece(number).reflection.of_vector(force);
     else
         give(number, place, force);
 }
@@ -109,8 +110,8 @@ void SurfaceContact::find_forces(double ahead, bool remembers) {
     for (Touch& touch : touches_) add_force(touch, ahead, remembers);
     add_film_forces();
     for (const int control : touched_controls_)
-        for (const auto& [unknown, share] : surfaces_.carriers(control))
-            force_[index_of(unknown)] += share * control_force_[index_of(control)];
+        for (const auto& share : surfaces_.carriers(control))
+            force_[index_of(share.unknown)] += share.of(control_force_[index_of(control)]);
 }
 
 void SurfaceContact::add_force(Touch& touch, double ahead, bool remembers) {
@@ -217,8 +218,9 @@ SurfaceContact::Sums SurfaceContact::sums(const std::string& part, const std::st
             const double weight = piece(number).weight[touch.number];
             const bool own = is_of(number, part) && is_of(touch.other, against);
             const bool met = is_of(touch.other, part) && is_of(number, against);
-            if (own) sums.force += touch.force;
-            if (met) sums.force -= touch.force;
+            // What acts beyond a plane of symmetry acts on this side as its image.
+            if (own) sums.force += Reflection::back_from(touch.from, space_).of_vector(touch.force);
+            if (met) sums.force -= Reflection::back_from(touch.at, space_).of_vector(touch.force);
             if (!own && !met) continue;
             sums.area += touch.share * weight;
             on_piece += weight * touch.pressure;

@@ -115,8 +115,9 @@ double SurfaceContact::rate_of_full_touch(int part) const {
         }
         std::ranges::fill(image, Vec::Zero());
         for (const int control : controls)
-            for (const auto& [unknown, share] : surfaces_.carriers(control))
-                image[index_of(unknown)] += share * inverse_mass_[index_of(unknown)] * on_control[index_of(control)];
+            for (const auto& share : surfaces_.carriers(control))
+                image[index_of(share.unknown)] +=
+                    inverse_mass_[index_of(share.unknown)] * share.of(on_control[index_of(control)]);
         double square = 0;
         for (const Vec& of_unknown : image) square += of_unknown.squaredNorm();
         if (square == 0) return 0;
@@ -195,8 +196,9 @@ void SurfaceContact::find_start(const Scene& scene, const SpringBodies& bodies) 
         if (of.is_wall) return true;
         const auto shares = of.now.shares(place);
         for (std::size_t c = 0; c < of.now.controls(); ++c)
-            for (const auto& [unknown, share] : surfaces_.carriers(of.control[c]))
-                if (inverse_mass_[index_of(unknown)] == 0 && std::abs(shares[c] * share) > 1e-9) return true;
+            for (const auto& share : surfaces_.carriers(of.control[c]))
+                if (inverse_mass_[index_of(share.unknown)] == 0 && std::abs(shares[c] * share.share) > 1e-9)
+                    return true;
         return false;
     };
     std::vector<Start> starts(start_.size());

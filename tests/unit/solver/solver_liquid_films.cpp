@@ -68,8 +68,9 @@ Texts above_floor(int dimension, double gap) {
 /// The film on the body's own surface, in front of the floor.
 class FilmOnBody {
   public:
-    FilmOnBody(int dimension, double gap)
-        : meshed_(mesh_texts(above_floor(dimension, gap))),
+    FilmOnBody(int dimension, double gap) : FilmOnBody(above_floor(dimension, gap), dimension) {}
+    FilmOnBody(const Texts& texts, int dimension)
+        : meshed_(mesh_texts(texts)),
           bodies_(meshed_.particles, meshed_.scene, alone_),
           surfaces_(meshed_.particles, bodies_),
           film_({viscosity, meshed_.particles.spacing}, surfaces_) {
@@ -79,7 +80,7 @@ class FilmOnBody {
             for (std::size_t p = 0; p < surfaces_.points().size(); ++p) {
                 const auto& piece = surfaces_.pieces()[k];
                 const double above = piece.now.at(surfaces_.points()[p].place).dot(up);
-                if (piece.is_wall || above > film_.law().thickest) continue;
+                if (piece.is_wall || piece.weight[p] == 0 || above > film_.law().thickest) continue;
                 points.push_back({static_cast<int>(k), p, above, up});
                 weights_.push_back(piece.weight[p]);
             }
@@ -141,6 +142,21 @@ TEST(LiquidFilm, holds_a_disc_that_sinks) {
         EXPECT_NEAR(force[1], exact, 0.03 * exact) << gap;
         EXPECT_NEAR(force[0], 0, 0.01 * exact);
     }
+}
+
+/// Cut by a plane of symmetry.
+TEST(LiquidFilm, holds_half_a_disc_by_half_the_force) {
+    const double gap = 0.06e-3, speed = 1e-3;
+    const Texts half =
+        above_floor(2, gap)
+            .with("periodic = [\"x\"]", "symmetry = [\"x_low\", \"x_high\"]")
+            .with("Rectangle(1) = {-8, 0, 0, 16, 12}", "Rectangle(1) = {0, 0, 0, 8, 12}")
+            .with("BooleanFragments{",
+                  "Rectangle(3) = {-8, 0, 0, 8, 12};\nBooleanDifference(4) = { "
+                  "Surface{2}; Delete; }{ Surface{3}; Delete; };\nBooleanFragments{")
+            .with("Surface{1}; Delete; }{ Surface{2}; Delete; }", "Surface{1}; Delete; }{ Surface{4}; Delete; }");
+    const Vec of_half = FilmOnBody(half, 2).force({0, -speed, 0}), of_whole = FilmOnBody(2, gap).force({0, -speed, 0});
+    EXPECT_NEAR(of_half[1], 0.5 * of_whole[1], 0.01 * of_whole[1]);
 }
 
 /// Beside it, as it slides with U: p' = -6 mu U / h^2 + C / h^3, and the stress is -mu U (1/h - 1/h_0) + h p' / 2.
