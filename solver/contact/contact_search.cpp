@@ -2,6 +2,7 @@
 //
 // What points of surfaces touch.
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -135,7 +136,31 @@ SurfaceContact::Deepest SurfaceContact::passed() const {
     return deepest;
 }
 
-SurfaceContact::Touch SurfaceContact::touch_of(int number, std::size_t point, double margin) const {
+/// A point gets no farther behind a surface, nor out of it, than it moves in a step, if it is not more than twice as
+/// fast there as now. Where a corner has gone in at which nothing faces it, and then turns, the gap jumps: it counts
+/// from where it was.
+double SurfaceContact::start_of(const Touch& touch, double gap) const {
+    const std::size_t index = index_of(touch.own, touch.number);
+    const int solid = piece(touch.other).solid;
+    const double start = start_[index].solid == solid ? start_[index].gap : 0;
+    const double before = memory_[index].solid == solid ? memory_[index].gap : 0;
+    const double jump = gap - start - before;
+    if (gap >= 0 || std::abs(jump) <= at_rest * space_.spacing) return start;
+    const double way = 2 * dt_ * (fastest_at(touch.own) + fastest_at(touch.other)) + at_rest * space_.spacing;
+    return std::abs(jump) <= way ? start : std::min(0.0, gap - before);
+}
+
+/// Of its control points [m/s].
+double SurfaceContact::fastest_at(int number) const {
+    const auto& of = piece(number);
+    if (of.is_wall) return velocity_at(number, of.now.middle()).norm();
+    double fastest = 0;
+    for (std::size_t c = 0; c < of.now.controls(); ++c)
+        fastest = std::max(fastest, surfaces_.carried(of.control[c], velocity_).norm());
+    return fastest;
+}
+
+SurfaceContact::Touch SurfaceContact::touch_of(int number, std::size_t point, double margin, bool drawn) const {
     const auto& own = piece(number);
     const std::size_t index = index_of(number, point);
     Touch touch;
@@ -154,7 +179,8 @@ SurfaceContact::Touch SurfaceContact::touch_of(int number, std::size_t point, do
     const bool touched = memory_[index].solid == other.solid;
     const double deepest = touched ? deepest_ : std::min(deepest_, 0.5 * (own.thickness + other.thickness));
     touch.is_apart = touch.gap > 0;
-    if (start_[index].solid == other.solid) touch.gap -= start_[index].gap;
+    touch.start = drawn ? 0 : start_of(touch, touch.gap);
+    touch.gap -= touch.start;
     if (-touch.gap > deepest) return touch;
     touch.is_one = touch.gap < margin && !surfaces_.is_end(touch.other, touch.place);
     const double here = ContactSurfaces::weight(own, place_of(touch)).value;
@@ -164,7 +190,7 @@ SurfaceContact::Touch SurfaceContact::touch_of(int number, std::size_t point, do
     return touch;
 }
 
-void SurfaceContact::find_touches(double margin) {
+void SurfaceContact::find_touches(double margin, bool drawn) {
     const std::size_t points = surfaces_.points().size();
     const std::vector<int>& active = pairs_.active();
     for (const int number : examined_)
@@ -181,11 +207,11 @@ void SurfaceContact::find_touches(double margin) {
         for (std::size_t p = 0; p < points; ++p) {
             const int number = active[static_cast<std::size_t>(k)];
             const std::size_t index = index_of(number, p);
-            const Touch touch = touch_of(number, p, margin);
+            const Touch touch = touch_of(number, p, margin, drawn);
             touches_[static_cast<std::size_t>(k) * points + p] = touch;
             const int other = touch.other < 0 ? no_solid : piece(touch.other).solid;
-            // What was drawn into another solid has left it once it is in front of it.
-            if (start_[index].solid != other || touch.is_apart) start_[index] = {};
+            // It has left another solid once it is in front of it.
+            start_[index] = touch.start < 0 && !touch.is_apart ? Start{other, touch.start} : Start{};
             if (memory_[index].solid != (touch.is_one ? other : no_solid)) memory_[index] = {};
         }
     std::erase_if(touches_, [](const Touch& touch) { return !touch.is_one; });

@@ -167,7 +167,7 @@ void SurfaceContact::add_force(Touch& touch, double ahead, bool remembers) {
 }
 
 void SurfaceContact::remember(const Touch& touch, double gap, const Vec& slip) {
-    memory_[index_of(touch.own, touch.number)] = gap < 0 ? Memory{piece(touch.other).solid, slip} : Memory{};
+    memory_[index_of(touch.own, touch.number)] = gap < 0 ? Memory{piece(touch.other).solid, gap, slip} : Memory{};
     if (-gap > deepest_of_all_.depth)
         deepest_of_all_ = {-gap, t_, touch.from, {piece(touch.own).part, piece(touch.other).part}};
 }
@@ -263,10 +263,11 @@ void SurfaceContact::archive_deepest(Archive& file) {
 }
 
 void SurfaceContact::archive(Archive& file) {
-    std::vector<double> parts;
+    std::vector<double> parts, gaps;
     std::vector<Vector<double, 3>> slips;
     for (const Memory& memory : memory_) {
         parts.push_back(memory.solid);
+        gaps.push_back(memory.gap);
         slips.push_back({memory.slip[0], memory.slip[1], memory.slip[2]});
     }
     std::vector<double> starts, start_gaps;
@@ -276,17 +277,19 @@ void SurfaceContact::archive(Archive& file) {
     }
     const std::size_t points = memory_.size();
     file("contact/solids", parts);
+    file("contact/gaps", gaps);
     file("contact/starts", starts);
     file("contact/start_gaps", start_gaps);
     if (law_.friction > 0) file("contact/slips", slips);
     if (!file.starts_run()) archive_deepest(file);
     if (!file.loading()) return;
-    if (parts.size() != points || slips.size() != points || starts.size() != points || start_gaps.size() != points)
+    if (parts.size() != points || gaps.size() != points || slips.size() != points || starts.size() != points ||
+        start_gaps.size() != points)
         throw unlike_any_run("contact of other surfaces");
     examined_.clear();
     for (std::size_t k = 0; k < surfaces_.pieces().size(); ++k) examined_.push_back(static_cast<int>(k));
     for (std::size_t k = 0; k < points; ++k) {
-        memory_[k] = {static_cast<int>(parts[k]), Vec(slips[k][0], slips[k][1], slips[k][2])};
+        memory_[k] = {static_cast<int>(parts[k]), gaps[k], Vec(slips[k][0], slips[k][1], slips[k][2])};
         start_[k] = {static_cast<int>(starts[k]), start_gaps[k]};
     }
 }

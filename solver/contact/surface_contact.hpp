@@ -132,7 +132,8 @@ class SurfaceContact {
         std::size_t number = 0;    ///< of the point on its piece
         PiecePlace place{};        ///< on the other piece
         Vec from = Vec::Zero(), at = Vec::Zero(), normal = Vec::Zero();
-        double gap = 0;
+        double gap = 0;                 ///< counted from `start` [m]
+        double start = 0;               ///< [m]
         double share = 0;               ///< a [-]
         Vec share_slope = Vec::Zero();  ///< its gradient along the other surface [1/m]
         double pressure = 0;            ///< [Pa]
@@ -143,9 +144,10 @@ class SurfaceContact {
     /// What a point of a surface remembers.
     struct Memory {
         int solid = no_solid;    ///< that it touches
+        double gap = 0;          ///< [m]
         Vec slip = Vec::Zero();  ///< [m]
     };
-    /// Where bodies were drawn into each other.
+    /// Where bodies were drawn into each other, or a point got behind a surface at once: its gap counts from there.
     struct Start {
         int solid = no_solid;  ///< into which
         double gap = 0;        ///< [m]
@@ -159,8 +161,8 @@ class SurfaceContact {
     [[nodiscard]] double farthest_way() const;
     [[nodiscard]] bool meets_soon(const Touch& touch) const;
     void archive_deepest(Archive& file);
-    /// Those nearer than `margin` [m].
-    void find_touches(double margin);
+    /// Those nearer than `margin` [m]. `drawn`: as bodies were drawn.
+    void find_touches(double margin, bool drawn = false);
     void find_touched_controls();
     /// The nearest place of other pieces that a point faces, if it is within `deepest_`: other, place, shift.
     struct Nearest {
@@ -169,7 +171,9 @@ class SurfaceContact {
         Vec shift = Vec::Zero();  ///< to the image of the other piece [m]
     };
     [[nodiscard]] Nearest nearest_to(int piece, std::size_t number) const;
-    [[nodiscard]] Touch touch_of(int piece, std::size_t number, double margin) const;
+    [[nodiscard]] Touch touch_of(int piece, std::size_t number, double margin, bool drawn) const;
+    [[nodiscard]] double start_of(const Touch& touch, double gap) const;
+    [[nodiscard]] double fastest_at(int piece) const;
     /// What is near a point when the pairs are found.
     struct Near {
         double clearance = 0;                   ///< how far it is from the others; 0 where it is behind one [m]

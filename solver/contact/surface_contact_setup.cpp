@@ -190,7 +190,7 @@ void SurfaceContact::find_start(const Scene& scene, const SpringBodies& bodies) 
     read_bodies(bodies);
     surfaces_.place(position_, nullptr, threads_);
     find_pairs();
-    find_touches(0);
+    find_touches(0, true);
     const auto is_held = [&](int number, const PiecePlace& place) {
         const auto& of = piece(number);
         if (of.is_wall) return true;

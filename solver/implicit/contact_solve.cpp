@@ -12,8 +12,10 @@ namespace {
 
 /// How far an unknown is from where it should be at the end of the step, at most [spacings].
 constexpr double tolerance = 1e-6;
-/// Newton's iterations: at most, and with one matrix of a body.
-constexpr int most_cycles = 40, cycles_with_one_matrix = 8;
+/// Newton's iterations.
+constexpr int most_cycles = 40;
+/// A cycle that leaves more than this of the error calls for new matrices.
+constexpr double slow = 0.3;
 /// Iterations with one preconditioner.
 constexpr long most_iterations = 20;
 
@@ -51,23 +53,58 @@ bool ContactSolve::solve() {
         });
     };
     prepare(false);
-    std::vector<Vec> last = velocity_;  // where cells are whole
-    for (int cycle = 0; cycle < most_cycles; ++cycle) {
-        const double error = find_residual();
-        if (error <= tolerance) return true;
-        if (!std::isfinite(error)) {  // a cell was crushed on the way: half of it
-            for (std::size_t n = 0; n < last.size(); ++n) velocity_[n] = 0.5 * (velocity_[n] + last[n]);
-            continue;
+    bool is_slow = false;
+    double error = find_residual();
+    for (int cycle = 0; cycle < most_cycles && !(error <= tolerance); ++cycle) {
+        if (is_slow) {
+            prepare(true);
+            if (held_.is_ready()) held_.factorise(bodies_, contact_);
+            precondition();
         }
-        last = velocity_;
-        if (cycle > 0 && cycle % cycles_with_one_matrix == 0) prepare(true);
+        const std::vector<Vec> start = velocity_, residual_at_start = residual_;
         if (!conjugate_gradients(*this, std::max(0.5 * tolerance, of_cycle * error), most_iterations).converged)
             held_.factorise(bodies_, contact_);
+        const double before = std::exchange(error, go_along(start, residual_at_start));
+        is_slow = error > slow * before;
     }
     // The bodies' own steps are halved where they cannot be solved.
-    velocity_ = std::move(last);
-    (void)find_residual();
-    return false;
+    return error <= tolerance;
+}
+
+/// From `start` towards the present w, as far as the residual does not push back: the equations are the gradient of an
+/// energy, all but friction and dashpots, and what touches on the way, or turns, may make the whole way too far. It is
+/// so where a cell is crushed, or the pull grows. Returns the error.
+double ContactSolve::go_along(const std::vector<Vec>& start, const std::vector<Vec>& residual_at_start) {
+    constexpr double pushes_back = 0.5, far_enough = 0.9, no_number = std::numeric_limits<double>::quiet_NaN();
+    constexpr int most_trials = 12;
+    std::vector<Vec> way = velocity_;
+    for (std::size_t n = 0; n < way.size(); ++n) way[n] -= start[n];
+    const auto pull_of = [&](const std::vector<Vec>& residual) {
+        double sum = 0;
+        for (std::size_t n = 0; n < way.size(); ++n) sum += residual[n].dot(way[n]);
+        return sum;
+    };
+    struct Place {
+        double part, pull;
+    };
+    Place near{0, pull_of(residual_at_start)}, far{1, 0};
+    const double at_start = near.pull, too_much = pushes_back * at_start;
+    double part = 1, error = find_residual();
+    for (int trial = 0; trial < most_trials; ++trial) {
+        double pull = std::isfinite(error) ? pull_of(residual_) : no_number;
+        if (pull > 2 * at_start) pull = no_number;
+        if (std::abs(pull) <= too_much || (pull > 0 && part >= far_enough)) return error;
+        (pull > 0 ? near : far) = {part, pull};
+        const double share = std::isfinite(far.pull) ? std::clamp(near.pull / (near.pull - far.pull), 0.1, 0.9) : 0.5;
+        part = near.part + share * (far.part - near.part);
+        for (std::size_t n = 0; n < way.size(); ++n) velocity_[n] = start[n] + part * way[n];
+        error = find_residual();
+    }
+    if (!std::isfinite(error)) {
+        velocity_ = start;
+        error = find_residual();
+    }
+    return error;
 }
 
 double ContactSolve::find_residual() {

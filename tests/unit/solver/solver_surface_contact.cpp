@@ -248,6 +248,51 @@ TEST(SurfaceContact, stops_what_a_flow_carries_against_a_post_whatever_its_stiff
     }
 }
 
+/// The flat end of a bar that lands, tilted, beside a corner: nothing on top faces it, and the block's side, which
+/// does, is 0.8 spacings behind it.
+TEST(SurfaceContact, does_not_throw_an_end_that_lands_beside_a_corner) {
+    const std::string solid =
+        "kind = \"elastic\"\ndensity = \"1000 kg/m^3\"\nyoungs_modulus = \"1 MPa\"\npoisson_ratio = 0.25\n";
+    const Ran ran =
+        run({"schema = 1\ntitle = \"end\"\ndimension = 2\n[geometry]\nfile = \"channel.geo\"\nunit = \"1 "
+             "mm\"\n[particles]\nspacing = \"0.25 mm\"\n[[part]]\nname = \"block\"\n" +
+                 solid + "[[part]]\nname = \"bar\"\ninitial_velocity = [0, \"-0.2 m/s\"]\n" + solid +
+                 "[contact]\nstiffness = \"3e8 Pa/m\"\n[flow]\nlargest_speed = \"0.5 m/s\"\n[run]\nduration = \"2 "
+                 "ms\"\n[output]\nevery = \"2 ms\"\n[[measure]]\nname = \"b\"\nkind = \"body\"\npart = \"bar\"\n",
+             "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 3, 3};\nRectangle(2) = {-2.8, 3.03, 0, 3, "
+             "0.5};\nRotate{ {0, 0, 1}, {0.2, 3.03, 0}, -5 * Pi / 180 } { Surface{2}; }\nPhysical Surface(\"block\") = "
+             "{1};\nPhysical Surface(\"bar\") = {2};\n"});
+    ASSERT_TRUE(ran.summary.contact);
+    EXPECT_LT(ran.summary.contact->depth, 0.1 * 0.25e-3);
+    EXPECT_LT(std::abs(ran.last("b_velocity_x")), 0.003);  // before it was 0.031
+}
+
+/// Leaflets of stiff springs that close: the equations of contact are far from linear.
+TEST(SurfaceContact, finds_the_forces_between_leaflets_that_close) {
+    const auto meshed = [](const std::vector<std::string>& embolus) {
+        std::vector<std::string> keys{"particles.spacing=\"0.8 mm\"",
+                                      "geometry.parameters.half_width=\"4.8 mm\"",
+                                      "geometry.parameters.root_inset=\"0.44 mm\"",
+                                      "geometry.parameters.tip_gap=\"2.72 mm\"",
+                                      "geometry.parameters.shell=\"2.4 mm\"",
+                                      "geometry.parameters.casing=\"12.4 mm\"",
+                                      "run.duration=\"0.2 s\""};
+        keys.insert(keys.end(), embolus.begin(), embolus.end());
+        return mesh_case("double_vein_valve/published_scene.toml", keys);
+    };
+    for (const Meshed& valve :
+         {meshed({"geometry.parameters.embolus_length=\"5.9 mm\"", "geometry.parameters.embolus_height=\"2.6 mm\"",
+                  "geometry.parameters.embolus_x=\"-8 mm\"", "geometry.parameters.embolus_y=\"4.3 mm\""}),
+          meshed({"geometry.parameters.embolus_length=\"7.8 mm\"", "geometry.parameters.embolus_height=\"7.8 mm\"",
+                  "part.embolus.youngs_modulus=\"3.75 kPa\""})}) {
+        const RunSummary summary = Simulation(valve.scene, valve.particles, Resources(1)).run({});
+        EXPECT_TRUE(std::ranges::none_of(summary.warnings,
+                                         [](const auto& warning) { return warning.key == "contact.between"; }));
+        ASSERT_TRUE(summary.contact);
+        EXPECT_LT(summary.contact->depth, 0.02 * 0.8e-3);
+    }
+}
+
 /// Hertz 1882; Johnson 1985, section 4.2: a cylinder on a plane, of the same material, half as wide as
 /// b = (4 P R / (pi E*))^1/2, E* = E / (2 (1 - nu^2)), with the pressure 2 P / (pi b) in the middle.
 TEST(SurfaceContact, is_as_wide_and_presses_as_hertz_says) {
