@@ -145,8 +145,9 @@ double SurfaceContact::start_of(const Touch& touch, double gap) const {
     const double start = start_[index].solid == solid ? start_[index].gap : 0;
     const double before = memory_[index].solid == solid ? memory_[index].gap : 0;
     const double jump = gap - start - before;
-    if (gap >= 0 || std::abs(jump) <= at_rest * space_.spacing) return start;
-    const double way = 2 * dt_ * (fastest_at(touch.own) + fastest_at(touch.other)) + at_rest * space_.spacing;
+    const double least = 1e-3 * space_.spacing;
+    if (gap >= 0 || std::abs(jump) <= least) return start;
+    const double way = 2 * dt_ * (fastest_at(touch.own) + fastest_at(touch.other)) + least;
     return std::abs(jump) <= way ? start : std::min(0.0, gap - before);
 }
 

@@ -140,10 +140,11 @@ void SurfaceContact::add_force(Touch& touch, double ahead, bool remembers) {
         const double area = touch.share * weight;
         if (pressure > 0)
             touch.normal_slope = area * (ahead * stiffness + (touched ? law_.dashpot(stiffness, mass_per_area) : 0));
-        // Towards where there is more of the contact, its energy grows.
+        // Towards where there is more of the contact, its energy grows. By the present gap: by that at the end of an
+        // implicit step it would grow with the square of w, and Newton's method with it.
         Vec tangential = Vec::Zero();
-        if (touch.share_slope != Vec::Zero()) {
-            tangential = -weight * SurfaceContactLaw::energy(stiffness, gap) * touch.share_slope;
+        if (touched && touch.share_slope != Vec::Zero()) {
+            tangential = -weight * SurfaceContactLaw::energy(stiffness, touch.gap) * touch.share_slope;
             add_couple(touch.other, touch.from - touch.at, tangential);
         }
         if (law_.friction > 0 && touched) {

@@ -13,7 +13,7 @@ namespace {
 /// How far an unknown is from where it should be at the end of the step, at most [spacings].
 constexpr double tolerance = 1e-6;
 /// Newton's iterations.
-constexpr int most_cycles = 40;
+constexpr int most_cycles = 40, cycles_at_large = 10;
 /// A cycle that leaves more than this of the error calls for new matrices.
 constexpr double slow = 0.3;
 /// Iterations with one preconditioner.
@@ -64,18 +64,21 @@ bool ContactSolve::solve() {
         const std::vector<Vec> start = velocity_, residual_at_start = residual_;
         if (!conjugate_gradients(*this, std::max(0.5 * tolerance, of_cycle * error), most_iterations).converged)
             held_.factorise(bodies_, contact_);
-        const double before = std::exchange(error, go_along(start, residual_at_start));
+        // Whole steps may go round in circles.
+        const double pushes_back = cycle < cycles_at_large ? 0.5 : 0.05;
+        const double before = std::exchange(error, go_along(start, residual_at_start, pushes_back));
         is_slow = error > slow * before;
     }
     // The bodies' own steps are halved where they cannot be solved.
     return error <= tolerance;
 }
 
-/// From `start` towards the present w, as far as the residual does not push back: the equations are the gradient of an
-/// energy, all but friction and dashpots, and what touches on the way, or turns, may make the whole way too far. It is
-/// so where a cell is crushed, or the pull grows. Returns the error.
-double ContactSolve::go_along(const std::vector<Vec>& start, const std::vector<Vec>& residual_at_start) {
-    constexpr double pushes_back = 0.5, far_enough = 0.9, no_number = std::numeric_limits<double>::quiet_NaN();
+/// From `start` towards the present w, as far as the residual does not push back by more than this share of its pull:
+/// the equations are the gradient of an energy, all but friction and dashpots, and what touches on the way, or turns,
+/// may make the whole way too far. It is so where a cell is crushed, or the pull grows. Returns the error.
+double ContactSolve::go_along(const std::vector<Vec>& start, const std::vector<Vec>& residual_at_start,
+                              double pushes_back) {
+    constexpr double far_enough = 0.9, no_number = std::numeric_limits<double>::quiet_NaN();
     constexpr int most_trials = 12;
     std::vector<Vec> way = velocity_;
     for (std::size_t n = 0; n < way.size(); ++n) way[n] -= start[n];

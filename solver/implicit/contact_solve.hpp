@@ -35,7 +35,7 @@ class ContactSolve {
     template <class Visit>
     void for_each_body(const Visit& visit) const;
     double find_residual();
-    double go_along(const std::vector<Vec>& start, const std::vector<Vec>& residual_at_start);
+    double go_along(const std::vector<Vec>& start, const std::vector<Vec>& residual_at_start, double pushes_back);
     void precondition();
     [[nodiscard]] Residual residual() const;
 
