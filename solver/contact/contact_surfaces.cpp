@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 #include "base/errors.hpp"
@@ -60,7 +61,7 @@ ContactSurfaces::ContactSurfaces(const ParticleSet& set, const SpringBodies& bod
         std::tie(piece.low, piece.high) = piece.now.box();
     }
     find_particles(set);
-    find_images_of_other_bodies(set);
+    find_images_of_other_bodies();
     find_pieces_at_controls();
     find_sources();
     find_bodies(bodies);
@@ -106,20 +107,25 @@ void ContactSurfaces::find_sources() {
 }
 
 /// A body that does not reach a plane of symmetry meets its image as another body.
-void ContactSurfaces::find_images_of_other_bodies(const ParticleSet& set) {
-    std::map<int, std::uint8_t> goes_on;
+void ContactSurfaces::find_images_of_other_bodies() {
+    std::set<std::tuple<int, int, double>> reached;  // solid, axis, twice where its plane is
     int bodies = 0;
     for (const Piece& piece : pieces_) {
         bodies = std::max(bodies, piece.solid + 1);
-        for (int axis = 0; axis < set.dimension; ++axis)
-            for (std::size_t k = 0; k < corners_; ++k)
-                for (const double plane : {set.box.low[axis], set.box.high[axis]})
-                    if (std::abs(piece.at_rest.control[k][axis] - plane) <= 1e-6 * set.spacing)
-                        goes_on[piece.solid] = static_cast<std::uint8_t>(goes_on[piece.solid] | (1U << axis));
+        for (int axis = 0; axis < space_.dimension; ++axis)
+            for (const double plane : {space_.box.low[axis], space_.box.high[axis]})
+                for (std::size_t k = 0; k < corners_; ++k)
+                    if (std::abs(piece.at_rest.control[k][axis] - plane) <= 1e-6 * space_.spacing)
+                        reached.emplace(piece.solid, axis, 2 * plane);
     }
-    for (Piece& piece : pieces_)
-        if (const int apart = piece.reflection.axes & ~goes_on[piece.solid]; !piece.is_wall && apart != 0)
-            piece.solid += apart * bodies;
+    for (Piece& piece : pieces_) {
+        int apart = 0;
+        for (int axis = 0; axis < space_.dimension; ++axis)
+            if (Reflection::has(piece.reflection.axes, axis) &&
+                !reached.contains({piece.solid, axis, piece.reflection.twice[axis]}))
+                apart |= 1 << axis;
+        if (!piece.is_wall) piece.solid += apart * bodies;
+    }
 }
 
 int ContactSurfaces::control_at(const Piece& piece, const PiecePlace& place) const {

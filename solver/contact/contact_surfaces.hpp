@@ -112,7 +112,7 @@ class ContactSurfaces {
     void find_particles(const ParticleSet& set);
     void find_pieces_at_controls();
     void find_sources();
-    void find_images_of_other_bodies(const ParticleSet& set);
+    void find_images_of_other_bodies();
     void find_roots(const SpringBodies& bodies);
     [[nodiscard]] bool is_fixed(const SpringBodies& bodies, int body, int unknown) const;
 

@@ -58,8 +58,10 @@ std::string body(const std::string& name, const std::string& velocity) {
 
 const std::string floor_part = "[[part]]\nname = \"floor\"\nkind = \"rigid\"\n";
 
+/// It is drawn nearer to it than pieces of one body that touch.
 TEST(ContactBesideSymmetry, lets_a_disc_meet_its_image) {
-    const std::string discs = "Rectangle(1) = {LEFT, -0.01, 0, 0.014 - LEFT, 0.02};\nDisk(2) = {0.006, 0, 0, 0.005};\n";
+    const std::string discs =
+        "Rectangle(1) = {LEFT, -0.01, 0, 0.014 - LEFT, 0.02};\nDisk(2) = {0.0055, 0, 0, 0.005};\n";
     const std::string faster = "\"-0.2 m/s\", \"-0.05 m/s\"", slower = "\"0.2 m/s\", \"-0.05 m/s\"";
     const std::string floor =
         "Physical Curve(\"floor\") = Curve In BoundingBox{-0.015, -0.0101, -1, 0.015, -0.0099, 1};\n"
@@ -72,7 +74,7 @@ TEST(ContactBesideSymmetry, lets_a_disc_meet_its_image) {
     const RunSummary two =
         run(in_empty_box(2, "", "0.5 mm", body("a", faster) + body("b", slower) + floor_part,
                          at(discs, "-0.014") +
-                             "Disk(3) = {-0.006, 0, 0, 0.005};\nBooleanDifference(4) = { Surface{1}; Delete; }{ "
+                             "Disk(3) = {-0.0055, 0, 0, 0.005};\nBooleanDifference(4) = { Surface{1}; Delete; }{ "
                              "Surface{2, 3}; };\nPhysical Surface(\"b\") = {3};\n" +
                              floor));
     const RunSummary one =
