@@ -35,6 +35,15 @@ std::vector<double> column(const RunSummary& summary, const std::string& name) {
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
+/// `part`, this share of `whole`, leaves the floor as fast, by this share of the impulse.
+void expect_same_bounce(const RunSummary& part, double share, const RunSummary& whole, const std::string& axis) {
+    const double rebound = column(whole, "a_velocity_" + axis).back();
+    EXPECT_GT(rebound, 0.15);
+    EXPECT_NEAR(column(part, "a_velocity_" + axis).back(), rebound, 0.01 * rebound);
+    const double impulse = sum(column(whole, "c_force_" + axis));
+    EXPECT_NEAR(sum(column(part, "c_force_" + axis)), share * impulse, 0.01 * share * impulse);
+}
+
 /// An empty box with this in it, [m]; what is beyond the planes of symmetry is cut off.
 Texts in_empty_box(int dimension, const std::string& symmetry, const std::string& spacing, const std::string& parts,
                    const std::string& cad_geometry) {
@@ -105,11 +114,7 @@ TEST(ContactBesideSymmetry, lets_half_a_disc_bounce_like_a_whole_one) {
         "Rectangle(1) = {0, 0, 0, 0.01, 0.02};\nDisk(3) = {0, 0.006, 0, 0.005};\nBooleanIntersection(2) = { "
         "Surface{1}; }{ Surface{3}; Delete; };\nBooleanDifference(4) = { Surface{1}; Delete; }{ Surface{2}; };\n" +
             physical));
-    const double rebound = column(whole, "a_velocity_y").back();
-    EXPECT_GT(rebound, 0.15);
-    EXPECT_NEAR(column(half, "a_velocity_y").back(), rebound, 0.01 * rebound);
-    EXPECT_NEAR(sum(column(half, "c_force_y")), 0.5 * sum(column(whole, "c_force_y")),
-                0.01 * sum(column(half, "c_force_y")));
+    expect_same_bounce(half, 0.5, whole, "y");
 }
 
 /// In space, between two planes of symmetry.
@@ -129,11 +134,7 @@ TEST(ContactBesideSymmetry, lets_a_quarter_of_a_ball_bounce_like_a_whole_one) {
                                               cut("Box(1) = {-0.008, -0.008, 0, 0.016, 0.016, 0.013};\n")));
     const RunSummary quarter = run(in_empty_box(3, "\"x_low\", \"y_high\"", "1 mm", body("a", fall) + floor_part,
                                                 cut("Box(1) = {0, -0.008, 0, 0.008, 0.008, 0.013};\n")));
-    const double rebound = column(whole, "a_velocity_z").back();
-    EXPECT_GT(rebound, 0.15);
-    EXPECT_NEAR(column(quarter, "a_velocity_z").back(), rebound, 0.02 * rebound);
-    EXPECT_NEAR(sum(column(quarter, "c_force_z")), 0.25 * sum(column(whole, "c_force_z")),
-                0.01 * sum(column(quarter, "c_force_z")));
+    expect_same_bounce(quarter, 0.25, whole, "z");
 }
 
 TEST(ContactBesideSymmetry, has_images_whose_own_points_count_for_nothing) {
